@@ -1,0 +1,52 @@
+#pragma once
+
+#include <heed/sim/run.h>
+#include <heed/util/limits.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace heed::sim {
+
+struct SampleOptions {
+  std::uint64_t traces = 10'000;
+  std::uint64_t seed = 1;
+  std::uint64_t first =
+      0;                 ///< Index of the first trace: ranges put together are one run, on whatever machines.
+  unsigned threads = 1;  ///< 0 = as many as the hardware has. Never changes a count.
+};
+
+/// Counts over the traces; `count` and `undefined` add up to `traces`. Meanings as in ExactOutcome.
+struct SampleOutcome {
+  std::vector<std::uint64_t> count;
+  std::uint64_t undefined = 0, missing = 0, fallback = 0;
+  std::uint64_t traces = 0;
+  friend bool operator==(const SampleOutcome&, const SampleOutcome&) = default;
+};
+
+/// Draws traces cell by cell from the chain and steps the machine through each. Trace i of a seed is a pure
+/// function of (seed, i): util::CounterRandom(seed, i), word d for the first half of the draw in cell d, word
+/// cells + d for the second half where the first does not decide. Each step's probability is met to within
+/// 2^-64. Knows nothing of the exact result.
+class Sampler {
+ public:
+  /// Builds dense tables, [chain state][random] and [machine state][letter]. \throws util::LimitExceeded
+  /// Memory, when the tables do not fit the budget.
+  Sampler(const Run& run, util::Budget& budget);
+  ~Sampler();
+  Sampler(Sampler&&) noexcept;
+  Sampler& operator=(Sampler&&) noexcept;
+
+  /// \throws util::LimitExceeded  Time or cancellation.
+  [[nodiscard]] SampleOutcome sample(const SampleOptions& options, util::Budget& budget) const;
+  /// What trace \p index reports, per cell (bits as in Chain::Step::seen): the same trace that sample()
+  /// counts.
+  [[nodiscard]] std::vector<std::uint64_t> trace(std::uint64_t seed, std::uint64_t index) const;
+
+ private:
+  struct Tables;
+  std::unique_ptr<const Tables> tables_;
+};
+
+}  // namespace heed::sim
