@@ -1,0 +1,38 @@
+#pragma once
+
+#include <heed/dl/reasoner.h>
+#include <heed/owl/ontology.h>
+#include <heed/util/limits.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace heed::dl {
+
+/// Subset-minimal sets of axioms from which something follows: the recorded inferences give a small set that
+/// suffices, deletion makes it minimal. Everything returned entails the question and, without any one axiom,
+/// no longer does (both as far as Reasoner sees). Deterministic. \cite kazakov.14.jar \cite kalyanpur.07.iswc
+class Justifier {
+ public:
+  /// Saturates once with provenance, on the first question. \param budget  outlives this object
+  Justifier(owl::Ontology ontology, util::Budget& budget);
+  ~Justifier();
+  Justifier(Justifier&&) noexcept;
+  Justifier& operator=(Justifier&&) noexcept;
+
+  /// Axiom ids ascending; an empty set for a tautology; nothing when it is not entailed.
+  [[nodiscard]] std::optional<std::vector<owl::AxiomId>> subsumption(const owl::ClassExpression& sub,
+                                                                     const owl::ClassExpression& super);
+  [[nodiscard]] std::optional<std::vector<owl::AxiomId>> unsatisfiable(
+      const owl::ClassExpression& expression);
+  [[nodiscard]] std::optional<std::vector<owl::AxiomId>> type(owl::Iri individual,
+                                                              const owl::ClassExpression& of);
+  [[nodiscard]] std::optional<std::vector<owl::AxiomId>> inconsistent();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace heed::dl
