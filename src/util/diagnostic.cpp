@@ -30,7 +30,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::size_t diagonal = row[0];
     row[0] = i + 1;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const bool same = std::tolower(static_cast<unsigned char>(a[i])) == std::tolower(static_cast<unsigned char>(b[j]));
+      const bool same =
+          std::tolower(static_cast<unsigned char>(a[i])) == std::tolower(static_cast<unsigned char>(b[j]));
       const std::size_t replaced = diagonal + (same ? 0 : 1);
       diagonal = row[j + 1];
       row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
@@ -41,9 +42,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string_view word(Severity severity) {
   switch (severity) {
-    case Severity::Note: return "note";
-    case Severity::Warning: return "warning";
-    case Severity::Error: return "error";
+    case Severity::Note:
+      return "note";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      return "error";
   }
   return "error";
 }
@@ -64,18 +68,20 @@ InputError::InputError(Diagnostic diagnostic)
     : std::runtime_error(to_string(diagnostic)), diagnostic_(std::move(diagnostic)) {}
 
 InputError::InputError(Location location, std::string code, std::string message, std::string hint)
-    : InputError(Diagnostic{Severity::Error, std::move(location), std::move(code), std::move(message), std::move(hint), {}}) {}
+    : InputError(Diagnostic{
+          Severity::Error, std::move(location), std::move(code), std::move(message), std::move(hint), {}}) {}
 
 InputError::InputError(const SourceText& source, std::size_t offset, std::string code, std::string message,
                        std::string hint)
-    : InputError(Diagnostic{Severity::Error, source.at(offset), std::move(code), std::move(message), std::move(hint),
-                            excerpt(source, offset)}) {}
+    : InputError(Diagnostic{Severity::Error, source.at(offset), std::move(code), std::move(message),
+                            std::move(hint), excerpt(source, offset)}) {}
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
-    if (candidate.size() > word.size() + best_distance || word.size() > candidate.size() + best_distance) continue;
+    if (candidate.size() > word.size() + best_distance || word.size() > candidate.size() + best_distance)
+      continue;
     const std::size_t distance = edit_distance(word, candidate);
     if (distance < best_distance) {
       best_distance = distance;
@@ -86,10 +92,12 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 }
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates, std::size_t most) {
-  if (const std::string near = nearest(word, candidates); !near.empty()) return fmt::format("did you mean '{}'?", near);
+  if (const std::string near = nearest(word, candidates); !near.empty())
+    return fmt::format("did you mean '{}'?", near);
   if (candidates.empty()) return {};
-  const std::vector<std::string> first(candidates.begin(),
-                                       candidates.begin() + static_cast<std::ptrdiff_t>(std::min(most, candidates.size())));
+  const std::vector<std::string> first(
+      candidates.begin(),
+      candidates.begin() + static_cast<std::ptrdiff_t>(std::min(most, candidates.size())));
   return fmt::format("known: {}{}", fmt::join(first, ", "), candidates.size() > most ? ", ..." : "");
 }
 

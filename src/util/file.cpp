@@ -14,7 +14,9 @@
 namespace heed::util {
 namespace {
 
-Location whole_file(const std::string& path) { return {std::make_shared<const std::string>(path), 0, 0}; }
+Location whole_file(const std::string& path) {
+  return {std::make_shared<const std::string>(path), 0, 0};
+}
 
 [[noreturn]] void too_large(const std::string& path, const Limits& limits) {
   throw InputError(whole_file(path), "file-too-large",
@@ -40,7 +42,8 @@ std::string read_all(int fd, const std::string& path, const Limits& limits, std:
   for (;;) {
     const ssize_t n = read(fd, buffer.data(), buffer.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) throw InputError(whole_file(path), "unreadable", fmt::format("cannot read: {}", std::strerror(errno)));
+    if (n < 0)
+      throw InputError(whole_file(path), "unreadable", fmt::format("cannot read: {}", std::strerror(errno)));
     if (n == 0) return text;
     text.append(buffer.data(), static_cast<std::size_t>(n));
     if (limits.input_bytes != 0 && text.size() > limits.input_bytes) too_large(path, limits);
@@ -67,7 +70,8 @@ void write_file(const std::string& path, std::string_view content) {
   const auto fail = [&](std::string_view what) {
     const int error = errno;
     unlink(temporary.c_str());
-    throw InputError(whole_file(path), "unwritable", fmt::format("cannot {}: {}", what, std::strerror(error)));
+    throw InputError(whole_file(path), "unwritable",
+                     fmt::format("cannot {}: {}", what, std::strerror(error)));
   };
   Descriptor file(mkstemp(temporary.data()));
   if (file.fd < 0) fail("create");

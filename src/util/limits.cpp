@@ -14,10 +14,12 @@ double Budget::elapsed_seconds() const {
 }
 
 void Budget::check() {
-  if (cancelled_.load(std::memory_order_relaxed)) throw LimitExceeded(LimitExceeded::Kind::Cancelled, "cancelled");
+  if (cancelled_.load(std::memory_order_relaxed))
+    throw LimitExceeded(LimitExceeded::Kind::Cancelled, "cancelled");
   ++calls_;
   if (limits_.seconds > 0 && (calls_ & 15U) == 0 && elapsed_seconds() > limits_.seconds)
-    throw LimitExceeded(LimitExceeded::Kind::Time, "time limit reached (" + std::to_string(limits_.seconds) + " s)");
+    throw LimitExceeded(LimitExceeded::Kind::Time,
+                        "time limit reached (" + std::to_string(limits_.seconds) + " s)");
   if (limits_.memory_bytes > 0 && (calls_ & 1023U) == 0) reserve(0);
 }
 

@@ -13,7 +13,8 @@ std::string to_string(const Location& location) {
   return out;
 }
 
-SourceText::SourceText(std::string name, std::string text, std::uint32_t first_line, std::uint32_t first_column) {
+SourceText::SourceText(std::string name, std::string text, std::uint32_t first_line,
+                       std::uint32_t first_column) {
   auto data = std::make_shared<Data>();
   data->name = std::make_shared<const std::string>(std::move(name));
   data->text = std::move(text);

@@ -27,9 +27,10 @@ struct Output {
   OutputRole role = OutputRole::Output;
 };
 
-/// A deterministic Mealy machine with finite inputs: the controller. It starts in state 0 **before** the first observation;
-/// step t reads the observation X(t), gives the outputs Y(t) and moves on. Letters are interned valuations, so that a
-/// transition is three numbers. Immutable once built; every state's rows are sorted by input letter.
+/// A deterministic Mealy machine with finite inputs: the controller. It starts in state 0 **before** the
+/// first observation; step t reads the observation X(t), gives the outputs Y(t) and moves on. Letters are
+/// interned valuations, so that a transition is three numbers. Immutable once built; every state's rows are
+/// sorted by input letter.
 struct Mealy {
   struct Transition {
     std::uint32_t input;    ///< Index into `input_letters`.
@@ -38,17 +39,20 @@ struct Mealy {
     bool fallback = false;  ///< The observation breaks an assumption; the answer is the stated fallback.
   };
 
-  std::string name;                        ///< The controller's name in the scenario, or of the specification.
+  std::string name;  ///< The controller's name in the scenario, or of the specification.
   std::vector<Variable> inputs;
   std::vector<Output> outputs;
-  std::vector<Valuation> input_letters;    ///< Over `inputs`; all different, ascending.
-  std::vector<Valuation> output_letters;   ///< Over `outputs`; all different, ascending.
-  std::vector<std::uint32_t> first;        ///< Rows of state s: transitions[first[s]] ... transitions[first[s+1]-1].
+  std::vector<Valuation> input_letters;   ///< Over `inputs`; all different, ascending.
+  std::vector<Valuation> output_letters;  ///< Over `outputs`; all different, ascending.
+  std::vector<std::uint32_t>
+      first;  ///< Rows of state s: transitions[first[s]] ... transitions[first[s+1]-1].
   std::vector<Transition> transitions;
-  std::vector<std::string> assumptions;    ///< Assumptions on the environment that it relies on, as formulas.
-  std::vector<std::string> notes;          ///< Such as "assumptions dropped: wins without them".
+  std::vector<std::string> assumptions;  ///< Assumptions on the environment that it relies on, as formulas.
+  std::vector<std::string> notes;        ///< Such as "assumptions dropped: wins without them".
 
-  [[nodiscard]] std::uint32_t state_count() const { return first.empty() ? 0 : static_cast<std::uint32_t>(first.size() - 1); }
+  [[nodiscard]] std::uint32_t state_count() const {
+    return first.empty() ? 0 : static_cast<std::uint32_t>(first.size() - 1);
+  }
   /// The row for (state, input letter); nullptr where none is defined. O(log rows).
   [[nodiscard]] const Transition* find(std::uint32_t state, std::uint32_t input) const;
   /// The index of a letter; nothing when the machine does not know it. O(log letters).
@@ -61,7 +65,8 @@ class MealyBuilder {
  public:
   MealyBuilder(std::string name, std::vector<Variable> inputs, std::vector<Output> outputs);
   std::uint32_t add_state();
-  void add(std::uint32_t state, const Valuation& input, const Valuation& output, std::uint32_t next, bool fallback = false);
+  void add(std::uint32_t state, const Valuation& input, const Valuation& output, std::uint32_t next,
+           bool fallback = false);
   void add_assumption(std::string formula) { machine_.assumptions.push_back(std::move(formula)); }
   void add_note(std::string note) { machine_.notes.push_back(std::move(note)); }
   /// \pre no (state, input) was added twice. The builder is spent.
@@ -72,7 +77,6 @@ class MealyBuilder {
     std::uint32_t state;
     Mealy::Transition transition;
   };
-  struct Interner;
   Mealy machine_;
   std::vector<Row> rows_;
   std::vector<Valuation> input_letters_, output_letters_;
@@ -82,12 +86,14 @@ class MealyBuilder {
                               const Valuation& letter);
 };
 
-/// The smallest machine with the same answers from state 0, by partition refinement; unreachable states go first, states are
-/// renumbered in breadth-first order of first visit, so equal machines print equal. A missing row is an answer of its own: it
-/// is never merged away, nor is a fallback. O(transitions * log states). \cite hopcroft.71.tmc
+/// The smallest machine with the same answers from state 0, by partition refinement; unreachable states go
+/// first, states are renumbered in breadth-first order of first visit, so equal machines print equal. A
+/// missing row is an answer of its own: it is never merged away, nor is a fallback. O(transitions * log
+/// states). \cite hopcroft.71.tmc
 [[nodiscard]] Mealy minimise(const Mealy& machine);
 
-/// Controller files: JSON, one schema (docs/formats.md). Reading checks everything that write_mealy() guarantees.
+/// Controller files: JSON, one schema (docs/formats.md). Reading checks everything that write_mealy()
+/// guarantees.
 [[nodiscard]] std::string write_mealy(const Mealy& machine);
 [[nodiscard]] Mealy read_mealy(const util::SourceText& source, const util::Limits& limits = {});
 

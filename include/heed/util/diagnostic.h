@@ -41,7 +41,8 @@ class InputError : public std::runtime_error {
 /// Warnings and notes that a stage hands on beside its result, in the order found.
 using Diagnostics = std::vector<Diagnostic>;
 
-/// The candidate closest to \p word by edit distance, if close enough to be a slip; else empty. O(n * |word|^2).
+/// The candidate closest to \p word by edit distance, if close enough to be a slip; else empty. O(n *
+/// |word|^2).
 [[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 /// "did you mean 'x'?", or "known: a, b, c" where nothing is near (at most \p most names).

@@ -5,7 +5,8 @@
 
 namespace heed::util {
 
-/// A fixed mixing of two words (no per-process seed: order of work never depends on the run). \cite steele.14.oopsla
+/// A fixed mixing of two words (no per-process seed: order of work never depends on the run). \cite
+/// steele.14.oopsla
 [[nodiscard]] constexpr std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
   std::uint64_t z = a + 0x9e3779b97f4a7c15ULL * (b + 1);
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;

@@ -5,8 +5,8 @@
 
 namespace heed::util {
 
-/// Philox 4x32 with 10 rounds: block `counter` of the stream `key`, four words. Pure function: trace i is the same on any
-/// thread or machine. \cite salmon.11.sc
+/// Philox 4x32 with 10 rounds: block `counter` of the stream `key`, four words. Pure function: trace i is the
+/// same on any thread or machine. \cite salmon.11.sc
 [[nodiscard]] std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
                                                   std::array<std::uint32_t, 2> key);
 

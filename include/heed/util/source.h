@@ -16,7 +16,9 @@ struct Location {
   std::uint32_t line = 0;
   std::uint32_t column = 0;
 
-  [[nodiscard]] std::string_view file_name() const { return file ? std::string_view(*file) : std::string_view(); }
+  [[nodiscard]] std::string_view file_name() const {
+    return file ? std::string_view(*file) : std::string_view();
+  }
   friend bool operator==(const Location& a, const Location& b) {
     return a.line == b.line && a.column == b.column && a.file_name() == b.file_name();
   }
@@ -29,8 +31,10 @@ struct Location {
 class SourceText {
  public:
   SourceText() = default;
-  /// \param first_line,first_column  Where the text begins in its file: a string inside a scenario keeps its place.
-  SourceText(std::string name, std::string text, std::uint32_t first_line = 1, std::uint32_t first_column = 1);
+  /// \param first_line,first_column  Where the text begins in its file: a string inside a scenario keeps its
+  /// place.
+  SourceText(std::string name, std::string text, std::uint32_t first_line = 1,
+             std::uint32_t first_column = 1);
 
   [[nodiscard]] const std::string& text() const { return data_->text; }
   [[nodiscard]] const std::string& name() const { return *data_->name; }
