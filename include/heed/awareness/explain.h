@@ -1,0 +1,50 @@
+#pragma once
+
+#include <heed/awareness/sigma.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace heed::awareness {
+
+/// An axiom as the ontology states it.
+struct AxiomText {
+  owl::AxiomId id;
+  std::string text;
+  util::Location location;
+};
+
+struct ExplanationStep {
+  std::string sentence;
+  std::vector<AxiomText> axioms;
+};
+
+/// Why something is so, step by step.
+struct Explanation {
+  std::string subject;  ///< One sentence.
+  bool holds = true;
+  std::vector<ExplanationStep> steps;
+};
+
+[[nodiscard]] std::vector<AxiomText> axiom_texts(const Catalogue& catalogue,
+                                                 const std::vector<owl::AxiomId>& axioms);
+
+[[nodiscard]] Explanation explain_formula(const Catalogue& catalogue, const SigmaFormula& formula);
+/// What it is, looks like and prescribes.
+[[nodiscard]] Explanation explain_entity(const Catalogue& catalogue, std::size_t entity);
+/// Which entities prescribe it, and what it is a special way of.
+[[nodiscard]] Explanation explain_behaviour(const Catalogue& catalogue, std::size_t behaviour);
+[[nodiscard]] Explanation explain_warning(const Catalogue& catalogue, const Warning& warning);
+
+/// Why \p entity is recognised when exactly \p seen (symbols and levels) is true, or what is missing.
+[[nodiscard]] Explanation explain_recognition(const Catalogue& catalogue, const Recognition& recognition,
+                                              std::size_t entity, const std::set<std::string>& seen);
+/// Why \p behaviour is prescribed when exactly \p seen is true.
+[[nodiscard]] Explanation explain_reaction(const Catalogue& catalogue, const Recognition& recognition,
+                                           std::size_t behaviour, const std::set<std::string>& seen);
+
+/// Indented text, one line per step and axiom: `  a12 Stop sign SubClassOf ... (traffic-signs.owl:2599:5)`.
+[[nodiscard]] std::string to_text(const Explanation& explanation);
+
+}  // namespace heed::awareness
