@@ -1,0 +1,289 @@
+// One cell of a profile, drawn unit by unit. The idea: an onset need not be drawn before its cell comes. In
+// each cell a unit that may start now turns on with its hazard, P(onset = cell | onset >= cell), so that all
+// a state has to remember are onsets that a rule still needs; a geometric rule needs none. Enumerating whole
+// onset vectors first and projecting them would be simpler, but costs (T+1)^n before anything is forgotten.
+// The price: a rule whose parameters depend on an onset that is still to come cannot be drawn this way; then
+// (and only then) what it refers to is drawn ahead and kept in the state.
+#include "chain_builder.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace heed::sim {
+namespace {
+
+constexpr std::size_t most_shuffled = 20;
+
+std::uint64_t bit(std::size_t feature) {
+  return std::uint64_t{1} << feature;
+}
+
+Rational choose(std::size_t n, std::size_t k) {
+  mpz_class result;
+  mpz_bin_uiui(result.get_mpz_t(), n, k);
+  return Rational(result);
+}
+
+/// Adds up branches that know and show the same.
+void merge(std::vector<Branch>& branches) {
+  std::sort(branches.begin(), branches.end(), [](const Branch& a, const Branch& b) {
+    return a.seen != b.seen ? a.seen < b.seen : a.knowledge < b.knowledge;
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < branches.size(); ++i) {
+    const bool same = kept > 0 && branches[kept - 1].seen == branches[i].seen &&
+                      branches[kept - 1].knowledge == branches[i].knowledge;
+    if (same)
+      branches[kept - 1].probability += branches[i].probability;
+    else if (kept++ != i)
+      branches[kept - 1] = std::move(branches[i]);
+  }
+  branches.resize(kept);
+}
+
+[[noreturn]] void too_large(const std::string& profile, const std::string& what) {
+  throw util::LimitExceeded(util::LimitExceeded::Kind::Size,
+                            "the chain of profile '" + profile + "' has more than " + what);
+}
+
+}  // namespace
+
+CellUnfolder::CellUnfolder(const ProfileModel& model, std::vector<bool> ahead, util::Budget& budget)
+    : model_(model), ahead_(std::move(ahead)), budget_(budget), cells_(model.spec.cells) {}
+
+std::vector<Branch> CellUnfolder::start() {
+  Knowledge nothing;
+  for (const FeatureSpec& feature : model_.spec.features)
+    nothing.onset.push_back(feature.absent ? static_cast<std::int32_t>(cells_) : Knowledge::later);
+  std::vector<Branch> branches{{1, nothing, 0}};
+  for (std::size_t u = 0; u < model_.units.size(); ++u) {
+    if (!ahead_[u]) continue;
+    const DrawUnit& unit = model_.units[u];
+    unit.rule ? draw_feature_ahead(unit, branches) : draw_shuffle_ahead(unit, branches);
+    merge(branches);
+  }
+  return branches;
+}
+
+std::vector<Branch> CellUnfolder::unfold(const Knowledge& before, std::uint32_t cell) {
+  std::vector<Branch> branches{{1, before, 0}};
+  for (const DrawUnit& unit : model_.units) draw(unit, cell, branches);
+  report(cell, branches);
+  for (Branch& branch : branches) forget(cell, branch.knowledge);
+  merge(branches);
+  return branches;
+}
+
+void CellUnfolder::draw(const DrawUnit& unit, std::uint32_t cell, std::vector<Branch>& branches) {
+  if (model_.spec.everything_visible_in == cell) {
+    for (Branch& branch : branches)
+      for (const std::uint32_t f : unit.features)
+        if (branch.knowledge.onset[f] == Knowledge::later)
+          branch.knowledge.onset[f] = static_cast<std::int32_t>(cell);
+    return;
+  }
+  unit.rule ? draw_feature(unit, cell, branches) : draw_shuffle(unit, cell, branches);
+}
+
+void CellUnfolder::draw_feature(const DrawUnit& unit, std::uint32_t cell, std::vector<Branch>& branches) {
+  const std::uint32_t f = unit.features.front();
+  std::vector<Branch> result;
+  for (Branch& branch : branches) {
+    const auto drawn = open(unit, branch.knowledge) ? values(unit, branch.knowledge, cell) : std::nullopt;
+    const Rational p = drawn ? hazard(unit, *drawn, cell, cells_) : Rational(0);
+    if (p != 0) {
+      Branch on{branch.probability * p, branch.knowledge, 0};
+      on.knowledge.onset[f] = static_cast<std::int32_t>(cell);
+      grow(result, std::move(on));
+    }
+    if (p == 1) continue;
+    branch.probability *= 1 - p;
+    grow(result, std::move(branch));
+  }
+  branches = std::move(result);
+}
+
+// Dealing one after the other would order the features; instead the set that gets this cell is drawn at once.
+// Of the cards not dealt yet, `hidden` belong to absent features, which only count.
+void CellUnfolder::draw_shuffle(const DrawUnit& unit, std::uint32_t cell, std::vector<Branch>& branches) {
+  std::vector<Branch> result;
+  for (Branch& branch : branches) {
+    const auto slots = open(unit, branch.knowledge) ? values(unit, branch.knowledge, cell) : std::nullopt;
+    if (!slots) {
+      grow(result, std::move(branch));
+      continue;
+    }
+    std::vector<std::uint32_t> waiting;
+    for (const std::uint32_t f : unit.features)
+      if (branch.knowledge.onset[f] == Knowledge::later) waiting.push_back(f);
+    if (waiting.size() > most_shuffled) too_large(model_.spec.name, "2^20 branches in one shuffle");
+    const auto dealt = static_cast<std::size_t>(
+        std::count_if(slots->begin(), slots->end(), [&](std::int64_t at) { return at < cell; }));
+    const auto now = static_cast<std::size_t>(std::count(slots->begin(), slots->end(), cell));
+    const std::size_t left = slots->size() - dealt, hidden = left - waiting.size();
+    for (std::uint64_t set = 0; set < bit(waiting.size()); ++set) {
+      const auto size = static_cast<std::size_t>(std::popcount(set));
+      if (size > now || now - size > hidden) continue;
+      Branch dealt_now{branch.probability * choose(hidden, now - size) / choose(left, now), branch.knowledge,
+                       0};
+      for (std::size_t i = 0; i < waiting.size(); ++i)
+        if (set & bit(i)) dealt_now.knowledge.onset[waiting[i]] = static_cast<std::int32_t>(cell);
+      grow(result, std::move(dealt_now));
+    }
+  }
+  branches = std::move(result);
+}
+
+void CellUnfolder::draw_feature_ahead(const DrawUnit& unit, std::vector<Branch>& branches) {
+  const std::uint32_t f = unit.features.front();
+  if (model_.spec.features[f].absent) return;
+  std::vector<Branch> result;
+  for (Branch& branch : branches) {
+    const auto drawn = values(unit, branch.knowledge, cells_);
+    for (std::uint32_t cell = 0; cell < cells_ && branch.probability != 0; ++cell) {
+      const Rational p = drawn ? hazard(unit, *drawn, cell, cells_) : Rational(0);
+      if (p == 0) continue;
+      Branch on{branch.probability * p, branch.knowledge, 0};
+      on.knowledge.onset[f] = static_cast<std::int32_t>(cell);
+      grow(result, std::move(on));
+      branch.probability *= 1 - p;
+    }
+    branch.knowledge.onset[f] = static_cast<std::int32_t>(cells_);
+    if (branch.probability != 0) grow(result, std::move(branch));
+  }
+  branches = std::move(result);
+}
+
+void CellUnfolder::draw_shuffle_ahead(const DrawUnit& unit, std::vector<Branch>& branches) {
+  struct Hand {
+    Branch branch;
+    std::vector<std::int32_t> slots;  ///< Not dealt yet.
+  };
+  std::vector<Branch> result;
+  for (Branch& branch : branches) {
+    std::vector<std::int32_t> slots;
+    const auto drawn = values(unit, branch.knowledge, cells_);
+    for (std::size_t i = 0; i < unit.parameters.size(); ++i)
+      slots.push_back(
+          static_cast<std::int32_t>(std::min<std::int64_t>(drawn ? (*drawn)[i] : cells_, cells_)));
+    std::vector<Hand> hands{{std::move(branch), slots}};
+    for (const std::uint32_t f : unit.features) {
+      if (model_.spec.features[f].absent) continue;
+      std::vector<Hand> next;
+      for (const Hand& hand : hands) {
+        for (std::size_t i = 0; i < hand.slots.size(); ++i) {
+          Hand given = hand;
+          given.branch.probability /= static_cast<unsigned long>(hand.slots.size());
+          given.branch.knowledge.onset[f] = hand.slots[i];
+          given.slots.erase(given.slots.begin() + static_cast<std::ptrdiff_t>(i));
+          next.push_back(std::move(given));
+        }
+        if (next.size() > chain_step_limit) too_large(model_.spec.name, "2^22 transitions");
+      }
+      hands = std::move(next);
+    }
+    for (Hand& hand : hands) grow(result, std::move(hand.branch));
+  }
+  branches = std::move(result);
+}
+
+/// Splits the branches by what perception reports of the things that are visible, or not.
+void CellUnfolder::report(std::uint32_t cell, std::vector<Branch>& branches) {
+  for (std::size_t f = 0; f < model_.names.size(); ++f) {
+    const FeatureSpec& feature = model_.spec.features[f];
+    const bool tracked = model_.spec.persistent && feature.detection != 1;
+    std::vector<Branch> silent;
+    for (Branch& branch : branches) {
+      const bool there = visible(branch.knowledge, f, cell);
+      const bool sure = (branch.knowledge.reported & bit(f)) != 0;
+      const Rational p = sure ? Rational(1) : there ? feature.detection : feature.false_detection;
+      if (p != 1) {
+        silent.push_back(branch);
+        silent.back().probability *= 1 - p;
+      }
+      branch.probability *= p;
+      branch.seen |= bit(f);
+      if (there && tracked) branch.knowledge.reported |= bit(f);
+    }
+    std::erase_if(branches, [](const Branch& branch) { return branch.probability == 0; });
+    for (Branch& branch : silent) grow(branches, std::move(branch));
+  }
+}
+
+/// An onset that has passed and that no open rule refers to says nothing about the future.
+void CellUnfolder::forget(std::uint32_t cell, Knowledge& knowledge) const {
+  for (std::size_t f = 0; f < model_.names.size(); ++f) {
+    if (!visible(knowledge, f, cell)) continue;
+    const auto& children = model_.children[f];
+    const bool needed = std::any_of(children.begin(), children.end(),
+                                    [&](std::uint32_t u) { return open(model_.units[u], knowledge); });
+    if (!needed) knowledge.onset[f] = 0;
+  }
+}
+
+void CellUnfolder::grow(std::vector<Branch>& branches, Branch branch) {
+  if (branches.size() >= chain_step_limit) too_large(model_.spec.name, "2^22 transitions");
+  if (branches.size() % 256 == 0) budget_.check();
+  branches.push_back(std::move(branch));
+}
+
+bool CellUnfolder::visible(const Knowledge& knowledge, std::size_t feature, std::uint32_t cell) const {
+  const std::int32_t onset = knowledge.onset[feature];
+  if (onset == Knowledge::later) return false;
+  if (onset <= static_cast<std::int32_t>(cell)) return true;
+  const auto everything = model_.spec.everything_visible_in;
+  return everything && *everything <= cell && !model_.spec.features[feature].absent;
+}
+
+bool CellUnfolder::open(const DrawUnit& unit, const Knowledge& knowledge) const {
+  return std::any_of(unit.features.begin(), unit.features.end(),
+                     [&](std::uint32_t f) { return knowledge.onset[f] == Knowledge::later; });
+}
+
+std::vector<OnsetRange> CellUnfolder::ranges(const Knowledge& knowledge, std::uint32_t cell) const {
+  std::vector<OnsetRange> result;
+  for (const std::int32_t onset : knowledge.onset) {
+    if (onset == Knowledge::later)
+      result.push_back({std::int64_t{cell} + 1, infinite});
+    else if (onset >= static_cast<std::int32_t>(cells_))
+      result.push_back({infinite, infinite});
+    else
+      result.push_back({onset, onset});
+  }
+  return result;
+}
+
+/// The parameters of a unit that may start by \p cell, each at least 0; what lies ahead counts as `infinite`.
+/// Nothing when the unit cannot start yet, or asks for what is still to come.
+std::optional<std::vector<std::int64_t>> CellUnfolder::values(const DrawUnit& unit,
+                                                              const Knowledge& knowledge,
+                                                              std::uint32_t cell) {
+  const std::vector<OnsetRange> known = ranges(knowledge, cell);
+  std::vector<std::int64_t> result;
+  for (const ResolvedExpression& parameter : unit.parameters) {
+    const OnsetRange range = parameter.evaluate(known);
+    const bool ahead = range.low > cell;
+    if (ahead && unit.rule && result.empty()) return std::nullopt;
+    if (!range.known() && !(ahead && !unit.rule)) {
+      want_ahead(parameter.features);
+      return std::nullopt;
+    }
+    result.push_back(range.known() ? std::max<std::int64_t>(range.low, 0) : infinite);
+  }
+  return result;
+}
+
+void CellUnfolder::want_ahead(const std::vector<std::uint32_t>& features) {
+  if (!wanted_ahead_) wanted_ahead_ = ahead_;
+  std::vector<std::uint32_t> todo(features.begin(), features.end());
+  while (!todo.empty()) {
+    const std::uint32_t unit = model_.unit_of[todo.back()];
+    todo.pop_back();
+    if ((*wanted_ahead_)[unit]) continue;
+    (*wanted_ahead_)[unit] = true;
+    const auto& parents = model_.units[unit].parents;
+    todo.insert(todo.end(), parents.begin(), parents.end());
+  }
+}
+
+}  // namespace heed::sim
