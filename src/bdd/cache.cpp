@@ -1,0 +1,52 @@
+#include "cache.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace heed::bdd {
+
+namespace {
+constexpr std::size_t initial_sets = std::size_t{1} << 11;
+}
+
+ComputedCache::ComputedCache(std::size_t max_bytes)
+    : sets_(initial_sets), shift_(64 - std::countr_zero(initial_sets)), max_bytes_(max_bytes) {}
+
+void ComputedCache::clear() {
+  std::fill(sets_.begin(), sets_.end(), Set{});
+}
+
+bool ComputedCache::survives(const Entry& entry, const std::vector<std::uint64_t>& marked) {
+  const auto lives = [&](std::uint32_t edge) {
+    const std::uint32_t index = (edge & operand_mask) >> 1;
+    return ((marked[index >> 6] >> (index & 63U)) & 1U) != 0;
+  };
+  if (!lives(entry.f) || !lives(entry.result)) return false;
+  // A composition's second operand is the number of its substitution, whose functions may be gone.
+  if (entry.h == code(Binary::Compose)) return false;
+  return lives(entry.g) && (entry.h >= binary_mark || lives(entry.h));
+}
+
+void ComputedCache::sweep(const std::vector<std::uint64_t>& marked) {
+  for (Set& place : sets_) {
+    if (!survives(place.newer, marked)) place.newer = {};
+    if (!survives(place.older, marked)) place.older = {};
+  }
+}
+
+std::size_t ComputedCache::growth_bytes() const {
+  return bytes() * 2 <= max_bytes_ ? bytes() : 0;
+}
+
+void ComputedCache::grow() {
+  std::vector<Set> old(sets_.size() * 2);
+  old.swap(sets_);
+  --shift_;
+  for (const Set& place : old) {
+    for (const Entry& entry : {place.older, place.newer}) {
+      if (entry.f != 0 || entry.g != 0 || entry.h != 0) store(entry.f, entry.g, entry.h, entry.result);
+    }
+  }
+}
+
+}  // namespace heed::bdd
