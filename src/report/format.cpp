@@ -68,8 +68,13 @@ std::string shortest(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "null";
 }
 
+std::string fixed(double value, int decimals) {
+  // Far above the distance of a double to the decimal that it stands for, far below the last digit shown.
+  return fmt::format("{:.{}f}", value + std::copysign(1e-12, value), decimals);
+}
+
 std::string compact(double value, int decimals) {
-  std::string text = fmt::format("{:.{}f}", value, decimals);
+  std::string text = fixed(value, decimals);
   if (text.find('.') != std::string::npos) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
@@ -78,8 +83,12 @@ std::string compact(double value, int decimals) {
 }
 
 std::string grouped(std::uint64_t number) {
-  std::string text = std::to_string(number);
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
   return text;
 }
 
@@ -103,13 +112,16 @@ std::string plural(std::uint64_t number, std::string_view singular, std::string_
   return fmt::format("{} {}s", grouped(number), singular);
 }
 
-std::string enumerate(const std::vector<std::string>& items) {
-  std::string text;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (i > 0) text += i + 1 == items.size() ? " and " : ", ";
-    text += items[i];
+std::string unbroken(std::string_view text) {
+  constexpr std::string_view no_break = "\xC2\xA0";
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == ' ' && i + 1 < text.size() && text[i + 1] == '%')
+      result += no_break;
+    else
+      result += text[i];
   }
-  return text;
+  return result;
 }
 
 std::string join(const std::vector<std::string>& items, std::string_view separator) {

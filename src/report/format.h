@@ -20,6 +20,10 @@ namespace heed::report {
 /// Fixed decimals without trailing zeros: compact(2.50, 2) == "2.5".
 [[nodiscard]] std::string compact(double value, int decimals);
 
+/// Fixed decimals, halves upwards as people round: fixed(0.78875, 4) == "0.7888" though the double lies a
+/// little below.
+[[nodiscard]] std::string fixed(double value, int decimals);
+
 /// "10,000".
 [[nodiscard]] std::string grouped(std::uint64_t number);
 
@@ -32,8 +36,8 @@ namespace heed::report {
 /// "1 sign", "3 signs".
 [[nodiscard]] std::string plural(std::uint64_t number, std::string_view singular, std::string_view many = {});
 
-/// "a, b and c".
-[[nodiscard]] std::string enumerate(const std::vector<std::string>& items);
+/// The same text with "12 %" kept on one line.
+[[nodiscard]] std::string unbroken(std::string_view text);
 
 [[nodiscard]] std::string join(const std::vector<std::string>& items, std::string_view separator);
 

@@ -18,13 +18,15 @@ class Markup {
   /// Closes its element at the end of the C++ scope.
   class Scope {
    public:
-    explicit Scope(Markup& markup) : markup_(markup) {}
-    Scope(const Scope&) = delete;
-    Scope& operator=(const Scope&) = delete;
-    ~Scope() { markup_.close(); }
+    explicit Scope(Markup& markup) : markup_(&markup) {}
+    Scope(Scope&& other) noexcept : markup_(std::exchange(other.markup_, nullptr)) {}
+    Scope& operator=(Scope&&) = delete;
+    ~Scope() {
+      if (markup_ != nullptr) markup_->close();
+    }
 
    private:
-    Markup& markup_;
+    Markup* markup_;
   };
 
   [[nodiscard]] Scope scope(std::string_view tag, const Attributes& attributes = {});

@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <cassert>
-#include <cmath>
 
 namespace heed::report {
 
 namespace {
 
-/// Under constant deceleration v(d) = v0 sqrt(d / braking distance): steep near the end, hence several points
-/// a cell.
-constexpr unsigned points_per_cell = 8;
+///  Points at equal times: under constant deceleration the speed then falls by equal amounts, v = v0 (1 - t),
+///  and what
+/// is left of the distance is (1 - t)^2, so that the steep end gets as many points as it needs.
+constexpr unsigned steps = 32;
 
 SpeedCurve curve(double cell_metres, double speed_kmh, unsigned horizon_cells, unsigned cells) {
   const double metres_per_second = speed_kmh / 3.6;
@@ -21,10 +21,9 @@ SpeedCurve curve(double cell_metres, double speed_kmh, unsigned horizon_cells, u
   result.cells = cells;
   result.deceleration = metres_per_second * metres_per_second / (2 * braking);
   if (cells < horizon_cells) result.points.push_back({horizon_cells * cell_metres, speed_kmh});
-  const unsigned steps = cells * points_per_cell;
   for (unsigned i = 0; i <= steps; ++i) {
     const double left = static_cast<double>(steps - i) / steps;
-    result.points.push_back({braking * left, speed_kmh * std::sqrt(left)});
+    result.points.push_back({braking * left * left, speed_kmh * left});
   }
   return result;
 }

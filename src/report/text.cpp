@@ -125,12 +125,12 @@ void Writer::outcome_rows(TextTable& table, const Chart& chart,
     const auto bar =
         std::find_if(chart.bars.begin(), chart.bars.end(), [&](const Bar& b) { return b.label == label; });
     const bool known = bar != chart.bars.end();
-    decimals.push_back(known ? fmt::format("{:.4f}", bar->exact.value) : "-");
+    decimals.push_back(known ? fixed(bar->exact.value, 4) : "-");
     exact.push_back(known ? bar->exact.exact : "");
     rational = rational || (known && bar->exact.exact.find('/') != std::string::npos);
     const double share =
         known && chart.traces > 0 ? static_cast<double>(bar->sampled) / static_cast<double>(chart.traces) : 0;
-    sampled.push_back(known ? fmt::format("{:.4f}", share) : "");
+    sampled.push_back(known ? fixed(share, 4) : "");
   }
   table.add(std::move(decimals));
   if (rational) table.add(std::move(exact));
@@ -155,10 +155,10 @@ void Writer::catalogue() {
   if (result_.catalogue.empty()) return;
   title("Past every sign of the catalogue");
   TextTable table({{"controller"},
-                   {"needless stops at", Align::Right},
+                   {"stops needlessly at", Align::Right},
                    {"worst", Align::Right},
                    {"at", Align::Left, 30},
-                   {"halting signs missed", Align::Right},
+                   {"can miss halting", Align::Right},
                    {"with no sign"}});
   for (const Controller& controller : result_.controllers) {
     if (controller.verdict == Verdict::Unrealizable) continue;

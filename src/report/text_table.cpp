@@ -92,6 +92,12 @@ std::string wrap(std::string_view text, std::size_t width, std::string_view firs
     const std::size_t end = std::min(rest.find(' ', at), rest.size());
     std::string word = rest.substr(at, end - at);
     at = end + 1;
+    // "12 %" is one word.
+    if (at < rest.size() && rest[at] == '%' && !word.empty()) {
+      const std::size_t after = std::min(rest.find(' ', at), rest.size());
+      word += ' ' + rest.substr(at, after - at);
+      at = after + 1;
+    }
     if (word.empty()) continue;
     if (!line.empty() && columns(line) + 1 + columns(word) > room) flush();
     while (columns(word) > room) {
