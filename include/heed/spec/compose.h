@@ -63,9 +63,10 @@ struct Composed {
 
 /// Rewrites plant labels, values and, for a deterministic plant, Next over them into a formula over `state`
 /// and `action` of the same step: `X stopping` becomes "one of the actions that lead from `state` to a
-/// stopping state". Where the action is not enabled, X φ is false for every φ of the plant. A
-/// nondeterministic plant keeps Next over `state`. Other names stay. O(nodes * transitions). \throws
-/// util::InputError  a plant value outside a comparison, a label inside one
+/// stopping state". Where the action is not enabled the value is left open. A nondeterministic plant keeps
+/// Next over `state`, and so does every plant below a second Next or another temporal operator. Other names
+/// stay. O(nodes * transitions), a comparison of a present with a next value O(states^2). \throws
+/// util::InputError  a plant value outside a comparison, an unknown state
 [[nodiscard]] logic::Formula expand_plant(const logic::Formula& formula, const model::Fts& plant);
 
 }  // namespace heed::spec
