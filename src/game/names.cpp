@@ -1,0 +1,32 @@
+#include "names.h"
+
+#include <heed/logic/parse.h>
+
+#include <fmt/format.h>
+
+namespace heed::game {
+
+std::string clause_text(const spec::Clause& clause) {
+  return clause.text.empty() ? logic::to_string(clause.formula) : clause.text;
+}
+
+std::string goal_text(const spec::Clause& clause) {
+  if (!clause.text.empty()) return clause.text;
+  return logic::to_string(logic::always(logic::eventually(clause.formula)));
+}
+
+std::string values_text(const Game& game, Owner owner, const std::vector<bool>& assignment) {
+  std::string text;
+  for (const Encoded& variable : game.variables) {
+    if (variable.owner != owner) continue;
+    std::int64_t offset = 0;
+    for (const bdd::Pair& pair : variable.bits) offset = 2 * offset + (assignment[pair.current] ? 1 : 0);
+    const model::Domain& domain = variable.variable.domain;
+    const auto code = static_cast<std::int32_t>(domain.low + offset);
+    if (!text.empty()) text += ", ";
+    text += fmt::format("{} = {}", variable.variable.name, domain.print(code));
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+}  // namespace heed::game

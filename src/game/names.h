@@ -1,0 +1,18 @@
+#pragma once
+
+#include <heed/game/game.h>
+
+#include <string>
+#include <vector>
+
+namespace heed::game {
+
+/// As the user wrote it, or printed where nobody wrote it.
+[[nodiscard]] std::string clause_text(const spec::Clause& clause);
+/// The same, said to hold infinitely often.
+[[nodiscard]] std::string goal_text(const spec::Clause& clause);
+/// "a = true, n = 3": the values of \p owner's variables in \p assignment, indexed by diagram variable;
+/// current ones.
+[[nodiscard]] std::string values_text(const Game& game, Owner owner, const std::vector<bool>& assignment);
+
+}  // namespace heed::game

@@ -1,0 +1,135 @@
+#include "order.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <unordered_map>
+
+namespace heed::game {
+namespace {
+
+using Edge = std::vector<std::size_t>;
+
+/// Which variables a clause brings together, definitions expanded.
+class Edges {
+ public:
+  explicit Edges(const spec::Gr1& spec) {
+    for (const auto& variable : spec.inputs) add_name(variable.name, {variables_++});
+    for (const auto& output : spec.outputs) add_name(output.variable.name, {variables_++});
+    for (const auto& memory : spec.memories) add_name(memory.variable.name, {variables_++});
+    for (const auto& definition : spec.definitions) {
+      const Edge edge = variables_of(definition.formula);
+      add_name(definition.name, edge);
+      add_edge(edge);
+    }
+    for (const auto* part : {&spec.env_init, &spec.env_safety, &spec.env_justice, &spec.sys_init,
+                             &spec.sys_safety, &spec.sys_justice})
+      for (const auto& clause : *part) add_edge(variables_of(clause.formula));
+    for (const auto& memory : spec.memories) add_update(memory);
+  }
+
+  [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
+  [[nodiscard]] std::size_t variables() const { return variables_; }
+
+ private:
+  void add_name(const std::string& name, Edge edge) { names_.emplace(name, std::move(edge)); }
+
+  void add_edge(Edge edge) {
+    if (edge.size() > 1) edges_.push_back(std::move(edge));
+  }
+
+  void add_update(const spec::Memory& memory) {
+    Edge edge = variables_of(memory.update);
+    for (const auto& guarded : memory.cases) {
+      const Edge more = variables_of(guarded.guard);
+      edge.insert(edge.end(), more.begin(), more.end());
+    }
+    edge.push_back(names_.at(memory.variable.name).front());
+    std::sort(edge.begin(), edge.end());
+    edge.erase(std::unique(edge.begin(), edge.end()), edge.end());
+    add_edge(std::move(edge));
+  }
+
+  [[nodiscard]] Edge variables_of(const logic::Formula& formula) const {
+    Edge edge;
+    for (const logic::Formula& node : logic::postorder(formula)) {
+      if (node.op() != logic::Op::Name) continue;
+      const auto found = names_.find(node.name());
+      if (found != names_.end()) edge.insert(edge.end(), found->second.begin(), found->second.end());
+    }
+    std::sort(edge.begin(), edge.end());
+    edge.erase(std::unique(edge.begin(), edge.end()), edge.end());
+    return edge;
+  }
+
+  std::size_t variables_ = 0;
+  std::unordered_map<std::string, Edge> names_;
+  std::vector<Edge> edges_;
+};
+
+std::uint64_t total_span(const std::vector<Edge>& edges, const std::vector<std::size_t>& position) {
+  std::uint64_t span = 0;
+  for (const Edge& edge : edges) {
+    std::size_t low = position[edge.front()];
+    std::size_t high = low;
+    for (const std::size_t variable : edge) {
+      low = std::min(low, position[variable]);
+      high = std::max(high, position[variable]);
+    }
+    span += high - low;
+  }
+  return span;
+}
+
+/// Moves every variable to the mean centre of its edges.
+std::vector<std::size_t> one_round(const std::vector<Edge>& edges, const std::vector<std::size_t>& position) {
+  const std::size_t n = position.size();
+  std::vector<double> sum(n, 0);
+  std::vector<std::size_t> count(n, 0);
+  for (const Edge& edge : edges) {
+    double centre = 0;
+    for (const std::size_t variable : edge) centre += static_cast<double>(position[variable]);
+    centre /= static_cast<double>(edge.size());
+    for (const std::size_t variable : edge) {
+      sum[variable] += centre;
+      ++count[variable];
+    }
+  }
+  std::vector<std::size_t> order(n);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto goal = [&](std::size_t variable) {
+    return count[variable] == 0 ? static_cast<double>(position[variable])
+                                : sum[variable] / static_cast<double>(count[variable]);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return goal(a) < goal(b); });
+  std::vector<std::size_t> moved(n);
+  for (std::size_t i = 0; i < n; ++i) moved[order[i]] = i;
+  return moved;
+}
+
+}  // namespace
+
+std::vector<std::size_t> static_order(const spec::Gr1& spec) {
+  const Edges graph(spec);
+  std::vector<std::size_t> position(graph.variables());
+  std::iota(position.begin(), position.end(), std::size_t{0});
+  std::vector<std::size_t> best = position;
+  std::uint64_t best_span = total_span(graph.edges(), position);
+  constexpr int most_rounds = 200;
+  constexpr int patience = 10;
+  for (int round = 0, stale = 0; round < most_rounds && stale < patience; ++round, ++stale) {
+    position = one_round(graph.edges(), position);
+    const std::uint64_t span = total_span(graph.edges(), position);
+    if (span >= best_span) continue;
+    best_span = span;
+    best = position;
+    stale = 0;
+  }
+  std::vector<std::size_t> order(best.size());
+  for (std::size_t i = 0; i < best.size(); ++i) order[best[i]] = i;
+  return order;
+}
+
+}  // namespace heed::game

@@ -1,0 +1,126 @@
+#include "rules.h"
+
+namespace heed::strategy {
+namespace {
+
+using bdd::Bdd;
+
+/// Puts together the rule of one goal j. With k the least rank whose set holds the state, the steps are, in
+/// this order of preference,
+///
+///     meet:      J_sys[j] & Z'
+///     approach:  ranks[j][k-1]'
+///     wait:      !J_env[i] & (waits[j][k][i]' | ranks[j][k-1]')   for the least i whose set holds the state
+///
+/// Mealy takes the best for each next input; Moore must choose its answer before, and takes `wait` only where
+/// no single answer always meets or approaches.
+class RuleMaker {
+ public:
+  RuleMaker(const game::Game& game, const game::Region& region, util::Budget& budget, std::size_t goal)
+      : game_(game),
+        region_(region),
+        budget_(budget),
+        goal_(goal),
+        never_(game.manager->constant(false)),
+        safe_(region.winning) {
+    for (const game::Part& part : game.sys_safety) safe_ &= part.relation;
+    meet_ = (safe_ & game.sys_justice[goal].relation).and_next(region.winning);
+  }
+
+  Rule mealy() {
+    const Bdd unmet = !answered(meet_);
+    Rule rule{meet_, never_};
+    each_rank([&](std::size_t k, const Bdd& rank, const Bdd& below) {
+      const Bdd open = rank & unmet;
+      if (open.is_false()) return;
+      const Bdd approach = (open & safe_).and_next(below);
+      const Bdd stuck = open.minus(answered(approach));
+      rule.moves |= approach;
+      each_wait(k, stuck, [&](std::size_t i, const Bdd& here) {
+        const Bdd waiting =
+            (here & safe_ & !game_.env_justice[i].relation).and_next(region_.waits[goal_][k][i]);
+        rule.moves |= waiting;
+        rule.waits |= waiting;
+      });
+    });
+    return rule;
+  }
+
+  Rule moore() {
+    Rule rule{never_, never_};
+    each_rank([&](std::size_t k, const Bdd& rank, const Bdd& below) {
+      const Bdd progress = meet_ | safe_.and_next(below);
+      const Bdd sure = rank & always(progress);
+      rule.moves |= sure;
+      each_wait(k, rank.minus(sure.exists(game_.next_outputs)), [&](std::size_t i, const Bdd& here) {
+        const Bdd waiting = (safe_ & !game_.env_justice[i].relation).and_next(region_.waits[goal_][k][i]);
+        rule.moves |= here & always(progress | waiting);
+        rule.waits |= here & waiting.minus(progress);
+      });
+    });
+    return rule;
+  }
+
+ private:
+  [[nodiscard]] Bdd answered(const Bdd& steps) const { return steps.exists(game_.next_outputs); }
+
+  /// Answers Y' that end in \p steps whatever the next legal input.
+  [[nodiscard]] Bdd always(const Bdd& steps) const {
+    return put_in_memories(game_.env_safety.implies(steps)).forall(game_.next_inputs);
+  }
+
+  [[nodiscard]] Bdd put_in_memories(const Bdd& relation) const {
+    const auto next = game_.bits(game::Owner::Memory, true);
+    std::vector<std::pair<bdd::Var, Bdd>> substitution;
+    for (std::size_t i = 0; i < next.size(); ++i) substitution.emplace_back(next[i], game_.updates[i]);
+    return substitution.empty() ? relation : relation.compose(substitution);
+  }
+
+  template <typename Visit>
+  void each_rank(const Visit& visit) {
+    Bdd below = never_;
+    for (std::size_t k = 0; k < region_.ranks[goal_].size(); ++k) {
+      budget_.check();
+      const Bdd& upto = region_.ranks[goal_][k];
+      visit(k, upto.minus(below), below);
+      below = upto;
+    }
+  }
+
+  template <typename Visit>
+  void each_wait(std::size_t k, Bdd open, const Visit& visit) {
+    for (std::size_t i = 0; i < game_.env_justice.size() && !open.is_false(); ++i) {
+      const Bdd& set = region_.waits[goal_][k][i];
+      visit(i, open & set);
+      open = open.minus(set);
+    }
+  }
+
+  const game::Game& game_;
+  const game::Region& region_;
+  util::Budget& budget_;
+  std::size_t goal_;
+  Bdd never_;
+  Bdd safe_;  ///< rho_s from a winning state.
+  Bdd meet_;
+};
+
+}  // namespace
+
+std::vector<Rule> make_rules(const game::Game& game, const game::Region& region, util::Budget& budget) {
+  std::vector<Rule> rules;
+  for (std::size_t goal = 0; goal < game.sys_justice.size(); ++goal) {
+    RuleMaker maker(game, region, budget, goal);
+    rules.push_back(game.spec->timing == spec::Timing::Moore ? maker.moore() : maker.mealy());
+  }
+  return rules;
+}
+
+Bdd legal_inputs(const game::Game& game) {
+  const auto next = game.bits(game::Owner::Memory, true);
+  std::vector<std::pair<bdd::Var, Bdd>> substitution;
+  for (std::size_t i = 0; i < next.size(); ++i) substitution.emplace_back(next[i], game.updates[i]);
+  return substitution.empty() ? game.env_safety : game.env_safety.compose(substitution);
+}
+
+}  // namespace heed::strategy
