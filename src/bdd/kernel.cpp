@@ -11,9 +11,6 @@ namespace heed::bdd {
 namespace {
 /// Steps between two looks at the budget: some tens of microseconds.
 constexpr std::uint32_t fuel_per_check = 1024;
-/// Below this many nodes tables grow without a collection first: nothing is gained by being thrifty with a
-/// megabyte.
-constexpr std::uint32_t never_collect_below = 1U << 16;
 /// Intermediate results per level that nested recursions can hold.
 constexpr std::size_t stack_per_level = 32;
 }  // namespace
@@ -121,8 +118,6 @@ Edge Kernel::make_room(std::uint32_t variable, Edge low, Edge high) {
 /// Collect when most of the nodes may be garbage, grow when most of them live, so that both cost a constant
 /// per node made.
 void Kernel::find_slots() {
-  if (capacity_ < never_collect_below && capacity_ < options.max_nodes)
-    return grow_nodes(std::size_t{capacity_} + 1);
   collect();
   const std::size_t alive = live();
   if (options.automatic_reordering && alive > reorder_threshold_) throw Restart{};

@@ -58,18 +58,19 @@ void Reorderer::sift(const SiftOptions& options) {
     const std::size_t before = kernel_.live();
     const std::uint64_t bound =
         options.max_node_swaps != 0 ? options.max_node_swaps : before * visits_per_node + visits_base;
-    sift_pass(options, kernel_.counts_.node_swaps + bound);
+    allowance_ = kernel_.counts_.node_swaps + bound;
+    sift_pass(options);
     if (!options.until_no_gain || kernel_.live() + before / 50 >= before) return;
   }
 }
 
-void Reorderer::sift_pass(const SiftOptions& options, std::uint64_t allowance) {
+void Reorderer::sift_pass(const SiftOptions& options) {
   std::vector<Block> queue = blocks_;
   std::stable_sort(queue.begin(), queue.end(),
                    [this](const Block& a, const Block& b) { return block_nodes(a) > block_nodes(b); });
   if (queue.size() > options.max_groups) queue.resize(options.max_groups);
   for (const Block& block : queue) {
-    if (kernel_.counts_.node_swaps >= allowance) return;
+    if (kernel_.counts_.node_swaps >= allowance_) return;
     if (block_nodes(block) > 0) sift_block(block.first, options.max_growth);
   }
 }
@@ -87,9 +88,8 @@ void Reorderer::sift_block(std::uint32_t first, double max_growth) {
   while (position > best_position_) swap_blocks(--position);
 }
 
-/// \returns whether it came to the end
-bool Reorderer::travel(std::size_t& position, std::size_t end, double max_growth) {
-  while (position != end) {
+void Reorderer::travel(std::size_t& position, std::size_t end, double max_growth) {
+  while (position != end && kernel_.counts_.node_swaps < allowance_) {
     const bool down = position < end;
     swap_blocks(down ? position : position - 1);
     position = down ? position + 1 : position - 1;
@@ -98,9 +98,8 @@ bool Reorderer::travel(std::size_t& position, std::size_t end, double max_growth
       best_size_ = size;
       best_position_ = position;
     }
-    if (static_cast<double>(size) > static_cast<double>(best_size_) * max_growth) return false;
+    if (static_cast<double>(size) > static_cast<double>(best_size_) * max_growth) return;
   }
-  return true;
 }
 
 void Reorderer::ensure_room(std::size_t position) {

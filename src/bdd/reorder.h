@@ -32,9 +32,9 @@ class Reorderer {
     std::uint32_t size;
   };
 
-  void sift_pass(const SiftOptions& options, std::uint64_t allowance);
+  void sift_pass(const SiftOptions& options);
   void sift_block(std::uint32_t first, double max_growth);
-  bool travel(std::size_t& position, std::size_t end, double max_growth);
+  void travel(std::size_t& position, std::size_t end, double max_growth);
   void swap_blocks(std::size_t position);
   void swap_levels(std::uint32_t upper_level);
   std::uint32_t detach_dependent(std::uint32_t upper, std::uint32_t lower);
@@ -55,6 +55,7 @@ class Reorderer {
   std::vector<std::uint32_t> parents_;  ///< By node: edges and handles to it.
   std::size_t row_words_;
   std::vector<std::uint64_t> interactions_;  ///< Row per variable; empty: not known, everything may interact.
+  std::uint64_t allowance_ = 0;  ///< Kernel's count of node swaps at which to stop looking further.
   std::size_t best_size_ = 0;
   std::size_t best_position_ = 0;
 };
