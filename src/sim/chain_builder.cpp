@@ -116,7 +116,7 @@ void CellUnfolder::draw_shuffle(const DrawUnit& unit, std::uint32_t cell, std::v
     std::vector<std::uint32_t> waiting;
     for (const std::uint32_t f : unit.features)
       if (branch.knowledge.onset[f] == Knowledge::later) waiting.push_back(f);
-    if (waiting.size() > most_shuffled) too_large(model_.spec.name, "2^20 branches in one shuffle");
+    if (waiting.size() > most_shuffled) too_large(model_.spec.name, "2^20 transitions");
     const auto dealt = static_cast<std::size_t>(
         std::count_if(slots->begin(), slots->end(), [&](std::int64_t at) { return at < cell; }));
     const auto now = static_cast<std::size_t>(std::count(slots->begin(), slots->end(), cell));
@@ -178,7 +178,7 @@ void CellUnfolder::draw_shuffle_ahead(const DrawUnit& unit, std::vector<Branch>&
           given.slots.erase(given.slots.begin() + static_cast<std::ptrdiff_t>(i));
           next.push_back(std::move(given));
         }
-        if (next.size() > chain_step_limit) too_large(model_.spec.name, "2^22 transitions");
+        if (next.size() > chain_step_limit) too_large(model_.spec.name, "2^20 transitions");
       }
       hands = std::move(next);
     }
@@ -197,15 +197,15 @@ void CellUnfolder::report(std::uint32_t cell, std::vector<Branch>& branches) {
       const bool there = visible(branch.knowledge, f, cell);
       const bool sure = (branch.knowledge.reported & bit(f)) != 0;
       const Rational p = sure ? Rational(1) : there ? feature.detection : feature.false_detection;
+      if (p == 0) continue;
       if (p != 1) {
         silent.push_back(branch);
         silent.back().probability *= 1 - p;
+        branch.probability *= p;
       }
-      branch.probability *= p;
       branch.seen |= bit(f);
       if (there && tracked) branch.knowledge.reported |= bit(f);
     }
-    std::erase_if(branches, [](const Branch& branch) { return branch.probability == 0; });
     for (Branch& branch : silent) grow(branches, std::move(branch));
   }
 }
@@ -222,7 +222,7 @@ void CellUnfolder::forget(std::uint32_t cell, Knowledge& knowledge) const {
 }
 
 void CellUnfolder::grow(std::vector<Branch>& branches, Branch branch) {
-  if (branches.size() >= chain_step_limit) too_large(model_.spec.name, "2^22 transitions");
+  if (branches.size() >= chain_step_limit) too_large(model_.spec.name, "2^20 transitions");
   if (branches.size() % 256 == 0) budget_.check();
   branches.push_back(std::move(branch));
 }

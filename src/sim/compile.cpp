@@ -34,7 +34,7 @@ void add_steps(Unfolded& result, std::uint32_t state, std::vector<Branch> branch
 void check_size(const Unfolded& result, const ProfileSpec& profile) {
   if (result.count > chain_step_limit)
     throw util::LimitExceeded(util::LimitExceeded::Kind::Size,
-                              "the chain of profile '" + profile.name + "' has more than 2^22 transitions");
+                              "the chain of profile '" + profile.name + "' has more than 2^20 transitions");
 }
 
 /// All cells. Incomplete when the unfolder came to want something drawn ahead.

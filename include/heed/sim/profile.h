@@ -143,8 +143,8 @@ struct Chain {
   }
 };
 
-/// Most transitions that compile() unfolds before it gives up; a chain of that size is over 1 GiB.
-inline constexpr std::size_t chain_step_limit = std::size_t{1} << 22;
+/// Most transitions, or branches of one cell, that compile() unfolds before it gives up; that takes some 300 MB.
+inline constexpr std::size_t chain_step_limit = std::size_t{1} << 20;
 
 /// Turns the profile into its chain. Within a cell a feature is drawn after those that its rule refers to, so
 /// `from = "sign"` may be met in the very cell of the sign. Where a rule looks ahead (`at = "sign - 1"`),

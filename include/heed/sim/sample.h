@@ -26,9 +26,9 @@ struct SampleOutcome {
 };
 
 /// Draws traces cell by cell from the chain and steps the machine through each. Trace i of a seed is a pure
-/// function of (seed, i): util::CounterRandom(seed, i), word d for the first half of the draw in cell d, word
-/// cells + d for the second half where the first does not decide. Each step's probability is met to within
-/// 2^-64. Knows nothing of the exact result.
+/// function of (seed, i). Its words are those of util::CounterRandom(seed, i): of the n cells in which any
+/// state leaves a choice, the j-th uses word j, and word n + j as 32 further bits where those of word j do
+/// not decide. Each step's probability is met to within 2^-64. Knows nothing of the exact result.
 class Sampler {
  public:
   /// Builds dense tables, [chain state][random] and [machine state][letter]. \throws util::LimitExceeded

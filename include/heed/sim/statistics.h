@@ -23,11 +23,11 @@ struct Interval {
 
 /// Regularised incomplete gamma functions P(a, x) and Q(a, x) = 1 - P(a, x); a > 0, x >= 0. Relative error
 /// below 1e-12 of the smaller one where it exceeds 1e-300. Series for x < a + 1, continued fraction beyond.
-/// \cite dlmf.8
+/// \cite dlmf
 [[nodiscard]] double gamma_p(double a, double x);
 [[nodiscard]] double gamma_q(double a, double x);
 
-/// Regularised incomplete beta function I_x(a, b); a, b > 0, 0 <= x <= 1. Continued fraction. \cite dlmf.8
+/// Regularised incomplete beta function I_x(a, b); a, b > 0, 0 <= x <= 1. Continued fraction. \cite dlmf
 [[nodiscard]] double beta_i(double a, double b, double x);
 
 struct ChiSquare {
