@@ -1,3 +1,5 @@
+#include "walk.h"
+
 #include <heed/logic/rewrite.h>
 
 #include <unordered_map>
@@ -7,15 +9,6 @@
 
 namespace heed::logic {
 namespace {
-
-/// The node with new operands; itself where nothing changed, so that parts stay shared.
-Formula rebuild(const Formula& formula, std::vector<Formula> operands) {
-  bool same = true;
-  for (std::size_t i = 0; i < operands.size(); ++i)
-    same = same && operands[i].identity() == formula[i].identity();
-  if (same) return formula;
-  return Formula::make(formula.op(), std::move(operands), formula.location());
-}
 
 bool is_temporal(Op op) {
   return op >= Op::Next;
@@ -41,19 +34,6 @@ Formula substitute(const Formula& formula,
 
 namespace {
 
-/// A part as it stands under so many Nexts.
-struct Shifted {
-  const void* identity;
-  std::size_t nexts;
-  friend bool operator==(const Shifted&, const Shifted&) = default;
-};
-
-struct ShiftedHash {
-  std::size_t operator()(const Shifted& s) const {
-    return std::hash<const void*>()(s.identity) * 31 + s.nexts;
-  }
-};
-
 Formula primed(Formula formula, std::size_t nexts) {
   for (; nexts > 0; --nexts) formula = Formula::make(Op::Next, {formula}, formula.location());
   return formula;
@@ -62,40 +42,23 @@ Formula primed(Formula formula, std::size_t nexts) {
 }  // namespace
 
 Formula push_next(const Formula& formula) {
-  struct Frame {
-    const Formula* formula;
-    std::size_t nexts;
-    bool entered;
+  const auto children = [](const InContext& part) {
+    const std::size_t below = part.context + (part.formula.op() == Op::Next ? 1 : 0);
+    std::vector<InContext> needs;
+    for (const Formula& operand : part.formula.operands()) needs.push_back({operand, below});
+    return needs;
   };
-  std::unordered_map<Shifted, Formula, ShiftedHash> done;
-  std::vector<Frame> open{{&formula, 0, false}};
-  while (!open.empty()) {
-    const Frame frame = open.back();
-    const Formula& node = *frame.formula;
-    const Shifted key{node.identity(), frame.nexts};
-    const std::size_t below = frame.nexts + (node.op() == Op::Next ? 1 : 0);
-    if (done.contains(key)) {
-      open.pop_back();
-    } else if (!frame.entered) {
-      open.back().entered = true;
-      for (const Formula& operand : node.operands()) open.push_back({&operand, below, false});
-    } else {
-      open.pop_back();
-      std::vector<Formula> operands;
-      for (const Formula& operand : node.operands()) operands.push_back(done.at({operand.identity(), below}));
-      if (node.op() == Op::Next)
-        done.emplace(key, operands.front());
-      else
-        done.emplace(key,
-                     node.op() == Op::Name ? primed(node, frame.nexts) : rebuild(node, std::move(operands)));
-    }
-  }
-  return done.at({formula.identity(), 0});
+  const auto build = [](const InContext& part, std::vector<Formula> operands) {
+    if (part.formula.op() == Op::Next) return operands.front();
+    if (part.formula.op() == Op::Name) return primed(part.formula, part.context);
+    return rebuild(part.formula, std::move(operands));
+  };
+  return fold({formula, 0}, children, build);
 }
 
 Names names_of(const Formula& formula) {
   Names names;
-  std::unordered_set<Shifted, ShiftedHash> seen;
+  std::unordered_set<ContextKey, ContextKeyHash> seen;
   std::vector<std::pair<const Formula*, bool>> open{{&formula, false}};
   while (!open.empty()) {
     const auto [node, below_next] = open.back();
