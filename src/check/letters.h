@@ -1,0 +1,86 @@
+#pragma once
+
+#include <heed/model/mealy.h>
+#include <heed/util/limits.h>
+
+#include "rules.h"
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace heed::check {
+
+/// Finds the row of a machine's letter by the values of the specification's inputs, whatever order the
+/// machine has them in.
+class LetterIndex {
+ public:
+  /// \throws util::InputError  when the machine's inputs are not those of the specification
+  LetterIndex(const model::Mealy& machine, const spec::Gr1& spec);
+  static constexpr std::uint32_t unknown = UINT32_MAX;
+  [[nodiscard]] std::uint32_t find(const std::int32_t* inputs) const;
+  /// The valuation, in the machine's order, of inputs in the specification's order.
+  [[nodiscard]] model::Valuation valuation(const std::int32_t* inputs) const;
+
+ private:
+  [[nodiscard]] std::uint64_t code(const std::int32_t* inputs) const;
+  const model::Mealy& machine_;
+  std::vector<std::uint32_t> column_;  ///< Of the machine, per input of the specification.
+  std::vector<std::int32_t> low_;
+  std::vector<std::uint64_t> weight_;  ///< Mixed radix; empty where the product of the domains does not fit.
+  std::vector<std::uint32_t> dense_;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> sparse_;
+};
+
+/// Enumerates the legal inputs of one step from the specification: inputs are assigned in order, and every
+/// clause is decided as soon as its inputs are there.
+class LegalInputs {
+ public:
+  LegalInputs(const Rules& rules, util::Budget& budget)
+      : rules_(rules), budget_(budget), values_(rules.layout.size()), registers_(rules.registers + 1) {}
+
+  /// Calls \p visit with the values of the step: inputs, and memories as far as they are determined. It may
+  /// change the other values, and returns false to stop. \param kept  Of the step before; null for the first.
+  template <typename Visit>
+  void each(const std::int64_t* kept, Visit&& visit) {
+    const Enumeration& plan = kept ? rules_.later : rules_.first;
+    if (!begin(plan, kept) || !level(plan, 0, kept)) return;
+    const auto& inputs = rules_.spec.inputs;
+    if (inputs.empty()) {
+      visit(values_.data());
+      return;
+    }
+    next_.assign(inputs.size(), 0);
+    next_[0] = inputs[0].domain.low;
+    for (std::size_t k = 0;;) {
+      if (next_[k] > inputs[k].domain.high) {
+        if (k == 0) return;
+        --k;
+        continue;
+      }
+      values_[k] = static_cast<std::int32_t>(next_[k]++);
+      if ((++steps_ & 0xff) == 0) budget_.check();
+      if (!level(plan, k + 1, kept)) continue;
+      if (k + 1 == inputs.size()) {
+        if (!visit(values_.data())) return;
+      } else {
+        ++k;
+        next_[k] = inputs[k].domain.low;
+      }
+    }
+  }
+
+ private:
+  bool begin(const Enumeration& plan, const std::int64_t* kept);
+  bool level(const Enumeration& plan, std::size_t k, const std::int64_t* kept);
+  [[nodiscard]] std::int32_t memory(std::uint32_t i, const std::int64_t* kept);
+
+  const Rules& rules_;
+  util::Budget& budget_;
+  std::vector<std::int32_t> values_;
+  std::vector<std::int64_t> registers_, next_;
+  std::vector<bool> settled_;  ///< Checks that what was kept already decides.
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace heed::check

@@ -1,0 +1,303 @@
+#include "program.h"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+
+namespace heed::check {
+
+using logic::Formula;
+using logic::Op;
+using Code = Program::Code;
+
+Layout::Layout(const spec::Gr1& spec) : symbols_(spec) {
+  std::uint32_t next = 0;
+  for (const auto& input : spec.inputs) slots_.emplace(input.name, next++);
+  outputs_begin_ = next;
+  for (const auto& output : spec.outputs) slots_.emplace(output.variable.name, next++);
+  memories_begin_ = next;
+  for (const auto& memory : spec.memories) slots_.emplace(memory.variable.name, next++);
+  definitions_begin_ = next;
+  for (const auto& definition : spec.definitions) slots_.emplace(definition.name, next++);
+  size_ = next;
+}
+
+namespace {
+
+/// Two's complement wrap-around: overflow has no meaning in a specification, and none here.
+std::int64_t arithmetic(Code code, std::int64_t left, std::int64_t right) {
+  const auto a = static_cast<std::uint64_t>(left), b = static_cast<std::uint64_t>(right);
+  if (code == Code::Add) return static_cast<std::int64_t>(a + b);
+  return static_cast<std::int64_t>(code == Code::Sub ? a - b : a * b);
+}
+
+std::int64_t apply(Code code, std::int64_t a, std::int64_t b) {
+  switch (code) {
+    case Code::Not:
+      return a == 0 ? 1 : 0;
+    case Code::And:
+      return (a != 0 && b != 0) ? 1 : 0;
+    case Code::Or:
+      return (a != 0 || b != 0) ? 1 : 0;
+    case Code::Implies:
+      return (a == 0 || b != 0) ? 1 : 0;
+    case Code::Iff:
+      return ((a != 0) == (b != 0)) ? 1 : 0;
+    case Code::Eq:
+      return a == b ? 1 : 0;
+    case Code::Ne:
+      return a != b ? 1 : 0;
+    case Code::Lt:
+      return a < b ? 1 : 0;
+    case Code::Le:
+      return a <= b ? 1 : 0;
+    case Code::Gt:
+      return a > b ? 1 : 0;
+    case Code::Ge:
+      return a >= b ? 1 : 0;
+    default:
+      return arithmetic(code, a, b);
+  }
+}
+
+Code code_of(Op op) {
+  switch (op) {
+    case Op::Not:
+      return Code::Not;
+    case Op::And:
+      return Code::And;
+    case Op::Or:
+      return Code::Or;
+    case Op::Implies:
+      return Code::Implies;
+    case Op::Iff:
+      return Code::Iff;
+    case Op::Eq:
+      return Code::Eq;
+    case Op::Ne:
+      return Code::Ne;
+    case Op::Lt:
+      return Code::Lt;
+    case Op::Le:
+      return Code::Le;
+    case Op::Gt:
+      return Code::Gt;
+    case Op::Ge:
+      return Code::Ge;
+    case Op::Add:
+      return Code::Add;
+    case Op::Sub:
+      return Code::Sub;
+    default:
+      return Code::Mul;
+  }
+}
+
+}  // namespace
+
+std::uint32_t Program::emit(Instruction instruction) {
+  if (instruction.code == Code::Load) {
+    const auto at = std::lower_bound(loads_.begin(), loads_.end(), instruction.a);
+    if (at == loads_.end() || *at != instruction.a) loads_.insert(at, instruction.a);
+  }
+  reads_kept_ = reads_kept_ || instruction.code == Code::Kept;
+  code_.push_back(instruction);
+  return static_cast<std::uint32_t>(code_.size() - 1);
+}
+
+std::int64_t Program::run(Values values, std::vector<std::int64_t>& registers) const {
+  std::int64_t* const out = registers.data();
+  std::size_t i = 0;
+  for (const Instruction& in : code_) {
+    switch (in.code) {
+      case Code::Constant:
+        out[i] = in.constant;
+        break;
+      case Code::Load:
+        out[i] = values.step[in.a];
+        break;
+      case Code::Kept:
+        out[i] = values.kept[in.a];
+        break;
+      default:
+        out[i] = apply(in.code, out[in.a], out[in.b]);
+    }
+    ++i;
+  }
+  return out[i - 1];
+}
+
+namespace {
+
+using Outcome = Program::Outcome;
+
+/// A connective with at least one operand that is not known yet.
+Outcome partial(Code code, Outcome a, Outcome b) {
+  const bool some_false = a == Outcome::False || b == Outcome::False;
+  const bool some_true = a == Outcome::True || b == Outcome::True;
+  if (code == Code::And && some_false) return Outcome::False;
+  if (code == Code::Or && some_true) return Outcome::True;
+  if (code == Code::Implies && (a == Outcome::False || b == Outcome::True)) return Outcome::True;
+  return Outcome::Open;
+}
+
+}  // namespace
+
+Program::Outcome Program::foresee(const std::int64_t* kept) const {
+  struct Register {
+    Outcome truth;
+    std::int64_t value;
+  };
+  const auto known = [](std::int64_t value) {
+    return Register{value != 0 ? Outcome::True : Outcome::False, value};
+  };
+  std::vector<Register> out;
+  out.reserve(code_.size());
+  for (const Instruction& in : code_) {
+    if (in.code == Code::Constant) {
+      out.push_back(known(in.constant));
+    } else if (in.code == Code::Kept) {
+      out.push_back(known(kept[in.a]));
+    } else if (in.code == Code::Load) {
+      out.push_back({Outcome::Open, 0});
+    } else if (out[in.a].truth != Outcome::Open && out[in.b].truth != Outcome::Open) {
+      out.push_back(known(apply(in.code, out[in.a].value, out[in.b].value)));
+    } else {
+      const Outcome truth = partial(in.code, out[in.a].truth, out[in.b].truth);
+      out.push_back({truth, truth == Outcome::True ? 1 : 0});
+    }
+  }
+  return out.back().truth;
+}
+
+std::uint32_t Kept::index(const Formula& term) {
+  const auto [at, fresh] = terms_.emplace(term, static_cast<std::uint32_t>(entries_.size()));
+  if (fresh) entries_.push_back({{}, term});
+  return at->second;
+}
+
+std::uint32_t Kept::index_of_cases(std::vector<std::pair<Formula, std::int32_t>> cases,
+                                   const Formula& otherwise) {
+  entries_.push_back({std::move(cases), otherwise});
+  return static_cast<std::uint32_t>(entries_.size() - 1);
+}
+
+namespace {
+
+/// Emits code bottom up for those (node, step) pairs that the root needs: a node is read in the present step,
+/// where parts without Next are kept values, or in the coming one.
+class Compiler {
+ public:
+  Compiler(const Formula& root, const Layout& layout, Kept* kept)
+      : order_(logic::postorder(root)), layout_(layout), kept_(kept), nodes_(order_.size()) {
+    for (std::uint32_t i = 0; i < order_.size(); ++i) {
+      index_.emplace(order_[i].identity(), i);
+      Node& node = nodes_[i];
+      node.next = order_[i].op() == Op::Next;
+      for (const Formula& operand : order_[i].operands())
+        node.next = node.next || nodes_[index_.at(operand.identity())].next;
+    }
+  }
+
+  Program run() {
+    (kept_ ? nodes_.back().present : nodes_.back().coming) = true;
+    for (std::size_t i = nodes_.size(); i-- > 0;) spread(i);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (nodes_[i].coming) nodes_[i].coming_register = node(i, true);
+      if (nodes_[i].present)
+        nodes_[i].present_register = order_[i].op() == Op::Next ? operand(i, 0, true) : node(i, false);
+    }
+    finish();
+    return std::move(program_);
+  }
+
+ private:
+  struct Node {
+    bool next = false;  ///< Contains Next.
+    bool present = false, coming = false;
+    std::uint32_t present_register = 0, coming_register = 0;
+  };
+
+  [[nodiscard]] bool is_comparison(std::size_t i) const {
+    return order_[i].op() >= Op::Eq && order_[i].op() <= Op::Ge;
+  }
+
+  [[nodiscard]] std::optional<std::int32_t> value(std::size_t i, std::size_t k) const {
+    return is_comparison(i) ? spec::enumeration_value(order_[i], k, layout_.symbols()) : std::nullopt;
+  }
+
+  void spread(std::size_t i) {
+    const Node& from = nodes_[i];
+    for (std::size_t k = 0; k < order_[i].operands().size(); ++k) {
+      if (value(i, k)) continue;
+      Node& to = nodes_[index_.at(order_[i][k].identity())];
+      const bool step = order_[i].op() == Op::Next;
+      if (from.coming || (from.present && step)) to.coming = true;
+      if (from.present && from.next && !step) to.present = true;
+    }
+  }
+
+  std::uint32_t operand(std::size_t i, std::size_t k, bool coming) {
+    if (const auto code = value(i, k)) return program_.emit({Code::Constant, 0, 0, *code});
+    const Node& at = nodes_[index_.at(order_[i][k].identity())];
+    return coming ? at.coming_register : at.present_register;
+  }
+
+  std::uint32_t node(std::size_t i, bool coming) {
+    const Formula& formula = order_[i];
+    switch (formula.op()) {
+      case Op::True:
+        return program_.emit({Code::Constant, 0, 0, 1});
+      case Op::False:
+        return program_.emit({Code::Constant, 0, 0, 0});
+      case Op::Number:
+        return program_.emit({Code::Constant, 0, 0, formula.number()});
+      default:
+        break;
+    }
+    if (!coming && !nodes_[i].next) return program_.emit({Code::Kept, kept_->index(formula)});
+    if (formula.op() == Op::Name) return program_.emit({Code::Load, layout_.slot(formula.name())});
+    assert(formula.op() < Op::Next);
+    const Code code = code_of(formula.op());
+    std::uint32_t result = operand(i, 0, coming);
+    if (formula.op() == Op::Not) return program_.emit({code, result, result});
+    for (std::size_t k = 1; k < formula.operands().size(); ++k) {
+      const std::uint32_t right = operand(i, k, coming);
+      result = program_.emit({code, result, right});
+    }
+    return result;
+  }
+
+  /// The last instruction has to be the result.
+  void finish() {
+    const std::uint32_t result = kept_ ? nodes_.back().present_register : nodes_.back().coming_register;
+    if (result + 1 == program_.size()) return;
+    const std::uint32_t zero = program_.emit({Code::Constant, 0, 0, 0});
+    program_.emit({Code::Add, result, zero});
+  }
+
+  std::vector<Formula> order_;
+  const Layout& layout_;
+  Kept* kept_;
+  std::vector<Node> nodes_;
+  std::unordered_map<const void*, std::uint32_t> index_;
+  Program program_;
+};
+
+}  // namespace
+
+Program compile_present(const Formula& formula, const Layout& layout) {
+  return Compiler(formula, layout, nullptr).run();
+}
+
+Program compile_step(const Formula& formula, const Layout& layout, Kept& kept) {
+  return Compiler(formula, layout, &kept).run();
+}
+
+bool has_next(const Formula& formula) {
+  for (const Formula& node : logic::postorder(formula))
+    if (node.op() == Op::Next) return true;
+  return false;
+}
+
+}  // namespace heed::check

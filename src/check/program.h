@@ -1,0 +1,119 @@
+#pragma once
+
+#include <heed/logic/formula.h>
+#include <heed/spec/gr1.h>
+#include <heed/spec/symbols.h>
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace heed::check {
+
+/// Where the variables of one step stand in an array of values: inputs first, then outputs, memories,
+/// definitions.
+class Layout {
+ public:
+  explicit Layout(const spec::Gr1& spec);
+  [[nodiscard]] std::uint32_t slot(const std::string& name) const { return slots_.at(name); }
+  [[nodiscard]] const spec::Symbols& symbols() const { return symbols_; }
+  [[nodiscard]] std::uint32_t inputs() const { return outputs_begin_; }
+  [[nodiscard]] std::uint32_t output(std::uint32_t i) const { return outputs_begin_ + i; }
+  [[nodiscard]] std::uint32_t memory(std::uint32_t i) const { return memories_begin_ + i; }
+  [[nodiscard]] std::uint32_t definition(std::uint32_t i) const { return definitions_begin_ + i; }
+  [[nodiscard]] std::uint32_t size() const { return size_; }
+
+ private:
+  spec::Symbols symbols_;
+  std::unordered_map<std::string, std::uint32_t> slots_;
+  std::uint32_t outputs_begin_, memories_begin_, definitions_begin_, size_;
+};
+
+/// What a formula is evaluated over: the values of a step, and what was kept of the step before it.
+struct Values {
+  const std::int32_t* step;
+  const std::int64_t* kept = nullptr;
+};
+
+/// A formula as straight-line code: one register per distinct node, so that shared parts are computed once
+/// and no depth of nesting matters.
+class Program {
+ public:
+  enum class Code : std::uint8_t {
+    Constant,
+    Load,
+    Kept,
+    Not,
+    And,
+    Or,
+    Implies,
+    Iff,
+    Eq,
+    Ne,
+    Lt,
+    Le,
+    Gt,
+    Ge,
+    Add,
+    Sub,
+    Mul
+  };
+  struct Instruction {
+    Code code;
+    std::uint32_t a = 0, b = 0;  ///< Registers; the slot of Load and Kept.
+    std::int64_t constant = 0;
+  };
+
+  /// \param registers  Scratch, at least size() long.
+  [[nodiscard]] std::int64_t run(Values values, std::vector<std::int64_t>& registers) const;
+
+  enum class Outcome : std::uint8_t { False, True, Open };
+  /// The truth value that follows from what was kept alone, whatever the step is.
+  [[nodiscard]] Outcome foresee(const std::int64_t* kept) const;
+
+  [[nodiscard]] std::size_t size() const { return code_.size(); }
+  /// Slots of the step that it reads, ascending.
+  [[nodiscard]] const std::vector<std::uint32_t>& loads() const { return loads_; }
+  [[nodiscard]] bool reads_kept() const { return reads_kept_; }
+
+  std::uint32_t emit(Instruction instruction);
+
+ private:
+  std::vector<Instruction> code_;
+  std::vector<std::uint32_t> loads_;
+  bool reads_kept_ = false;
+};
+
+/// What has to be remembered of a step to judge the next one: for each formula with Next, its largest parts
+/// that speak of the present alone. Two steps that agree on these values have the same future, which keeps
+/// the product small.
+class Kept {
+ public:
+  /// The index of the value of \p term.
+  std::uint32_t index(const logic::Formula& term);
+  /// Keeps the value that \p cases give, or that of \p otherwise.
+  std::uint32_t index_of_cases(std::vector<std::pair<logic::Formula, std::int32_t>> cases,
+                               const logic::Formula& otherwise);
+
+  struct Entry {
+    std::vector<std::pair<logic::Formula, std::int32_t>> cases;
+    logic::Formula term;
+  };
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+
+ private:
+  std::unordered_map<logic::Formula, std::uint32_t, logic::FormulaHash> terms_;
+  std::vector<Entry> entries_;
+};
+
+/// Code for a formula without Next over the values of one step.
+[[nodiscard]] Program compile_present(const logic::Formula& formula, const Layout& layout);
+
+/// Code for a formula with Next: primed names are read from the step, the present from \p kept, where it is
+/// entered.
+[[nodiscard]] Program compile_step(const logic::Formula& formula, const Layout& layout, Kept& kept);
+
+[[nodiscard]] bool has_next(const logic::Formula& formula);
+
+}  // namespace heed::check
