@@ -86,6 +86,17 @@ Markup::Scope scroll_box(Markup& page, std::string_view label) {
       {{"class", "scroll"}, {"role", "region"}, {"tabindex", "0"}, {"aria-label", std::string(label)}});
 }
 
+void write_caption(Markup& page, std::string_view words) {
+  const auto caption = page.scope("caption");
+  page.element("span", words);
+}
+
+void write_name(Markup& page, const RunResult& result, std::string_view controller, std::string_view words) {
+  const auto name = page.scope("span", {{"class", "who"}});
+  page.element("span", "", {{"class", "swatch " + colour_class(result, controller)}});
+  page.element("span", words);
+}
+
 std::string colour_class(const RunResult& result, std::string_view controller) {
   const auto subject = subject_of(result);
   std::size_t next = subject ? 1 : 0;

@@ -12,8 +12,7 @@ void write_miss_row(Markup& page, const RunResult& result, const Controller& con
   const auto row = page.scope("tr", {{"class", is_subject ? "subject" : ""}});
   {
     const auto head = page.scope("th", {{"scope", "row"}});
-    page.element("span", "", {{"class", "swatch " + colour_class(result, controller.name)}});
-    page.text(title_of(controller));
+    write_name(page, result, controller.name, title_of(controller));
   }
   for (const Profile& profile : result.profiles) {
     const auto chart = find_chart(result, profile.name, controller.name);
@@ -33,7 +32,7 @@ void write_misses(Markup& page, const RunResult& result) {
   if (!subject) return;
   const auto box = scroll_box(page, "Misses per controller and profile");
   const auto table = page.scope("table", {{"class", "misses"}});
-  page.element("caption", fmt::format("How often {} is missed, exactly computed", result.thing));
+  write_caption(page, fmt::format("How often {} is missed, exactly computed", result.thing));
   {
     const auto head = page.scope("thead");
     const auto row = page.scope("tr");
@@ -87,7 +86,7 @@ void write_method(Markup& page, const RunResult& result) {
   }
   const auto right = page.scope("div");
   const auto table = page.scope("table");
-  page.element("caption", "To repeat this run");
+  write_caption(page, "To repeat this run");
   const auto body = page.scope("tbody");
   const auto row = [&](std::string_view name, std::string_view value) {
     if (value.empty()) return;

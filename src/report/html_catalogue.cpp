@@ -59,7 +59,7 @@ void write_cell(Markup& page, const CatalogueEntry& entry, std::size_t row, cons
 
 std::string what_counts(const CatalogueEntry& entry) {
   if (entry.prescribes_halt) return "missed";
-  return entry.prescribes_give_way ? "stops, as it may" : "stops needlessly";
+  return entry.prescribes_give_way ? "may stop" : "stops";
 }
 
 void write_head(Markup& page, const RunResult& result, const std::vector<Column>& columns) {
@@ -67,7 +67,7 @@ void write_head(Markup& page, const RunResult& result, const std::vector<Column>
   {
     const auto row = page.scope("tr");
     page.element("th", "Sign", {{"scope", "col"}, {"rowspan", "2"}});
-    page.element("th", "Share of approaches in which it …", {{"scope", "col"}, {"rowspan", "2"}});
+    page.element("th", "Counted", {{"scope", "col"}, {"rowspan", "2"}});
     for (std::size_t i = 0; i < columns.size();) {
       std::size_t end = i + 1;
       while (end < columns.size() && !columns[end].first) ++end;
@@ -79,8 +79,7 @@ void write_head(Markup& page, const RunResult& result, const std::vector<Column>
   const auto row = page.scope("tr");
   for (const Column& column : columns) {
     const auto cell = page.scope("th", {{"scope", "col"}, {"class", column.first ? "n first" : "n"}});
-    page.element("span", "", {{"class", "swatch " + colour_class(result, column.controller)}});
-    page.text(title_of(result, column.controller));
+    write_name(page, result, column.controller, column.controller);
   }
 }
 
@@ -101,6 +100,8 @@ void write_rows(Markup& page, const RunResult& result, const std::vector<Column>
       const auto name = page.scope("th", {{"scope", "row"}});
       page.text(label_of(entry));
       if (!entry.features.empty()) page.element("span", join(entry.features, ", "), {{"class", "what"}});
+      if (!entry.behaviours.empty())
+        page.element("span", "→ " + join(entry.behaviours, ", "), {{"class", "what"}});
     }
     page.element("td", what_counts(entry), {{"class", "other"}});
     for (const Column& column : columns) write_cell(page, entry, i, column);
@@ -114,7 +115,7 @@ void write_summary(Markup& page, const RunResult& result) {
     const auto head = page.scope("thead");
     const auto row = page.scope("tr");
     page.element("th", "Controller", {{"scope", "col"}});
-    for (const char* name : {"Needless stops at", "At worst", "Halting signs missed", "With no sign"})
+    for (const char* name : {"Stops needlessly at", "At worst", "Can miss halting signs", "With no sign"})
       page.element("th", name, {{"scope", "col"}});
   }
   const auto body = page.scope("tbody");
@@ -124,13 +125,12 @@ void write_summary(Markup& page, const RunResult& result) {
     const auto row = page.scope("tr");
     {
       const auto name = page.scope("th", {{"scope", "row"}});
-      page.element("span", "", {{"class", "swatch " + colour_class(result, controller.name)}});
-      page.text(title_of(controller));
+      write_name(page, result, controller.name, title_of(controller));
     }
     page.element("td", fmt::format("{} of {}", count.needless, plural(count.signs, "sign")));
-    page.element("td", count.needless == 0
-                           ? "–"
-                           : fmt::format("{}, {}", percent(count.worst_needless), count.worst_sign));
+    page.element("td", count.needless == 0 ? "–"
+                                           : unbroken(fmt::format("{}, {}", percent(count.worst_needless),
+                                                                  count.worst_sign)));
     page.element("td", fmt::format("{} of {}", count.missed, count.halting));
     page.element("td", count.open_road ? "stops" : "drives on");
   }
@@ -149,7 +149,9 @@ void write_catalogue(Markup& page, const RunResult& result) {
   if (columns.empty()) return;
   const auto box = scroll_box(page, "Misses and needless stops per sign");
   const auto table = page.scope("table", {{"class", "errors"}});
-  page.element("caption", "Per cent of approaches; the darker, the more errors");
+  write_caption(page,
+                "Per cent of approaches in which the sign is missed or the car stops; the stronger the "
+                "colour, the more errors");
   write_head(page, result, columns);
   write_rows(page, result, columns);
 }

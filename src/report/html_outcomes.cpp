@@ -15,8 +15,7 @@ void write_legend(Markup& page, const RunResult& result) {
   for (const Controller& controller : result.controllers) {
     if (controller.verdict == Verdict::Unrealizable) continue;
     const auto item = page.scope("li");
-    page.element("span", "", {{"class", "swatch " + colour_class(result, controller.name)}});
-    page.text(title_of(controller));
+    write_name(page, result, controller.name, title_of(controller));
   }
   const bool sampled =
       std::any_of(result.charts.begin(), result.charts.end(), [](const Chart& c) { return c.traces > 0; });
@@ -36,9 +35,9 @@ void write_figure(Markup& page, const RunResult& result, const Profile& profile)
   {
     const auto caption = page.scope("figcaption");
     page.element("strong", profile.title.empty() ? profile.name : profile.name + " · " + profile.title);
-    for (const std::string& line : profile.description) page.element("span", line, {{"class", "because"}});
   }
   draw_profile(page, result, profile);
+  for (const std::string& line : profile.description) page.element("p", line, {{"class", "because"}});
 }
 
 void write_cell(Markup& page, const Chart& chart, std::size_t index, const std::string& label) {
@@ -56,15 +55,23 @@ void write_cell(Markup& page, const Chart& chart, std::size_t index, const std::
   page.element("td", "–", {{"class", "n"}});
 }
 
+/// The profile's name stands once, over all its controllers.
+void write_profile_name(Markup& page, const RunResult& result, std::size_t index) {
+  const std::string& profile = result.charts[index].profile;
+  if (index > 0 && result.charts[index - 1].profile == profile) return;
+  std::size_t end = index + 1;
+  while (end < result.charts.size() && result.charts[end].profile == profile) ++end;
+  page.element("th", profile, {{"scope", "rowgroup"}, {"rowspan", std::to_string(end - index)}});
+}
+
 void write_row(Markup& page, const RunResult& result, std::size_t index,
                const std::vector<std::string>& labels) {
   const Chart& chart = result.charts[index];
   const auto row = page.scope("tr");
-  page.element("th", chart.profile, {{"scope", "row"}});
+  write_profile_name(page, result, index);
   {
     const auto cell = page.scope("td");
-    page.element("span", "", {{"class", "swatch " + colour_class(result, chart.controller)}});
-    page.text(title_of(result, chart.controller));
+    write_name(page, result, chart.controller, title_of(result, chart.controller));
   }
   for (const std::string& label : labels) write_cell(page, chart, index, label);
   if (chart.traces == 0) {
@@ -72,9 +79,15 @@ void write_row(Markup& page, const RunResult& result, std::size_t index,
     return;
   }
   const std::string path = fmt::format("/charts/{}/chi_square/p_value", index);
-  const auto cell = page.scope("td", with_data({{"class", "n"}}, path, chart.p_value));
-  page.text(fmt::format("{:.2g}", chart.p_value));
-  page.element("span", plural(chart.traces, "trace"), {{"class", "exact"}});
+  page.element("td", fmt::format("{:.2g}", chart.p_value), with_data({{"class", "n"}}, path, chart.p_value));
+}
+
+/// Such as "; 10,000 traces per chart"; empty where the charts differ or none was sampled.
+std::string traces_per_chart(const RunResult& result) {
+  const std::uint64_t traces = result.charts.front().traces;
+  for (const Chart& chart : result.charts)
+    if (chart.traces != traces) return {};
+  return traces == 0 ? std::string() : fmt::format("; {} per chart", plural(traces, "trace"));
 }
 
 }  // namespace
@@ -92,9 +105,9 @@ void write_outcomes(Markup& page, const RunResult& result) {
   }
   const auto box = scroll_box(page, "Exact probabilities");
   const auto table = page.scope("table");
-  page.element(
-      "caption",
-      "The same, exactly; p is that of the chi-square test of the samples against the exact figures");
+  write_caption(
+      page, fmt::format("The same, exactly. p: chi-square test of the samples against the exact figures{}",
+                        traces_per_chart(result)));
   const std::vector<std::string> labels = bar_labels(result);
   {
     const auto head = page.scope("thead");

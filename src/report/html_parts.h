@@ -40,6 +40,10 @@ void draw_speed(Markup& page, const SpeedPicture& picture);
 /// Opens `<section id>` with its heading and an introduction (may be empty).
 [[nodiscard]] Markup::Scope section(Markup& page, std::string_view id, std::string_view heading,
                                     std::string_view introduction = {});
+/// A table's caption, which stays readable while its table scrolls.
+void write_caption(Markup& page, std::string_view words);
+/// A controller's colour and \p words, kept together.
+void write_name(Markup& page, const RunResult& result, std::string_view controller, std::string_view words);
 /// A box that scrolls sideways by itself, so that the page never does.
 [[nodiscard]] Markup::Scope scroll_box(Markup& page, std::string_view label);
 

@@ -56,10 +56,12 @@ footer { color: var(--soft); font-size: .88rem; padding-block: 2.5rem 3.5rem; }
 constexpr std::string_view tables = R"css(
 .scroll { overflow-x: auto; max-width: 100%; margin-block: 1rem; }
 table { border-collapse: collapse; font-size: .93rem; font-variant-numeric: tabular-nums; line-height: 1.4; overflow-wrap: normal; }
-.scroll table { min-width: 100%; }
+.scroll table { min-width: max(100%, 42rem); }
+.scroll .misses, .pairs .scroll table { min-width: 100%; }
+caption span { display: block; position: sticky; left: 0; max-width: min(68ch, calc(100vw - 2.2rem)); }
 caption { text-align: left; color: var(--soft); padding-bottom: .6em; font-size: .9rem; }
 th, td { padding: .5em .8em; text-align: left; vertical-align: top; border-bottom: 1px solid var(--line); }
-th:first-child, td:first-child { padding-left: .2em; }
+th:first-child { padding-left: .2em; }
 thead th { font-weight: 600; font-size: .86rem; color: var(--soft); vertical-align: bottom; border-bottom-color: var(--soft); }
 tbody th { font-weight: 500; }
 .n { text-align: right; white-space: nowrap; }
@@ -69,13 +71,17 @@ tbody th { font-weight: 500; }
 .misses th:first-child { text-align: left; }
 .misses .subject th, .misses .subject td { font-weight: 700; }
 .misses { width: 100%; }
-.swatch { display: inline-block; width: .75em; height: .75em; border-radius: .15em; margin-right: .5em; background: var(--swatch); }
+@media (max-width: 40rem) { .misses th, .misses td { padding: .5em .3em; } .misses td { font-size: 1.08rem; } }
+.who { display: inline-flex; align-items: baseline; gap: .5em; }
+.swatch { flex: none; width: .75em; height: .75em; border-radius: .15em; background: var(--swatch); }
 .k0 { --swatch: var(--k0); } .k1 { --swatch: var(--k1); } .k2 { --swatch: var(--k2); } .k3 { --swatch: var(--k3); } .k4 { --swatch: var(--k4); }
 .errors th, .errors td { padding: .42em .5em; }
 .errors tbody th[scope=row] { min-width: 9rem; max-width: 17rem; position: sticky; left: 0; background: var(--paper); }
 .errors thead th.n { white-space: normal; font-size: .78rem; font-weight: 500; min-width: 3.4rem; line-height: 1.25; }
-.errors thead .swatch { display: block; margin: 0 0 .3em auto; }
-.errors tbody .other:not(.n) { font-size: .84rem; white-space: nowrap; }
+.errors thead .who { flex-direction: column; align-items: flex-end; gap: .3em; }
+td code { white-space: nowrap; }
+#method td code { white-space: normal; }
+.errors tbody .other:not(.n) { font-size: .84rem; line-height: 1.55; white-space: nowrap; }
 .errors .group { color: var(--soft); font-weight: 600; font-size: .84rem; padding-top: 1.4em; background: none; }
 .errors .what { display: block; color: var(--soft); font-size: .8rem; font-weight: 400; }
 .errors .first, .errors thead .first { border-left: 1px solid var(--line); }
