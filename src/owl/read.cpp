@@ -1,0 +1,140 @@
+#include <heed/owl/read.h>
+
+#include "closure.h"
+#include "graph.h"
+#include "kinds.h"
+#include "mapper.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace heed::owl {
+namespace {
+
+/// Where the root element begins: over the byte order mark, white space, the XML declaration, comments and
+/// the DOCTYPE.
+std::size_t root_element(std::string_view text) {
+  std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  while (at < text.size()) {
+    at = std::min(text.find_first_not_of(" \t\r\n", at), text.size());
+    std::string_view closing;
+    if (text.substr(at, 4) == "<!--")
+      closing = "-->";
+    else if (text.substr(at, 2) == "<?")
+      closing = "?>";
+    else if (text.substr(at, 2) == "<!") {
+      const std::size_t bracket = text.find('[', at);
+      closing = bracket < text.find('>', at) ? "]>" : ">";
+      const std::size_t subset_end = closing == ">" ? at : text.find(']', at);
+      const std::size_t end = text.find('>', subset_end);
+      at = end == std::string_view::npos ? text.size() : end + 1;
+      continue;
+    } else {
+      return at;
+    }
+    const std::size_t end = text.find(closing, at);
+    at = end == std::string_view::npos ? text.size() : end + closing.size();
+  }
+  return at;
+}
+
+/// First word that is neither white space nor in a "#" comment.
+std::string_view first_word(std::string_view text) {
+  std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  for (;;) {
+    at = std::min(text.find_first_not_of(" \t\r\n", at), text.size());
+    if (at == text.size() || text[at] != '#') break;
+    at = std::min(text.find('\n', at), text.size());
+  }
+  const std::size_t end = std::min(text.find_first_of(" \t\r\n(", at), text.size());
+  return text.substr(at, end - at + (end < text.size() && text[end] == '(' ? 1 : 0));
+}
+
+bool looks_like_turtle(std::string_view word) {
+  if (word == "@prefix" || word == "@base" || word == "PREFIX" || word == "BASE" || word == "prefix" ||
+      word == "base")
+    return true;
+  return word.starts_with("_:") || word.starts_with("[") ||
+         (word.starts_with("<") && word.find(':') != std::string_view::npos);
+}
+
+Syntax by_extension(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  const std::string extension = dot == std::string::npos ? "" : name.substr(dot + 1);
+  if (extension == "ttl" || extension == "nt") return Syntax::Turtle;
+  if (extension == "rdf" || extension == "owl" || extension == "xml") return Syntax::RdfXml;
+  if (extension == "owx") return Syntax::OwlXml;
+  if (extension == "ofn" || extension == "fss") return Syntax::Functional;
+  if (extension == "omn") return Syntax::Manchester;
+  return Syntax::Unknown;
+}
+
+[[noreturn]] void no_reader(const util::SourceText& source, Syntax syntax) {
+  if (syntax == Syntax::Unknown)
+    throw util::InputError(source, 0, "unknown-syntax", "this is no syntax of OWL that heed knows",
+                           "RDF/XML and Turtle are read");
+  throw util::InputError(
+      source, 0, "unsupported-syntax",
+      fmt::format("the document is in {}, which heed does not read yet", to_string(syntax)),
+      "save it as RDF/XML or Turtle (Protégé: File, Save as)");
+}
+
+}  // namespace
+
+std::string_view to_string(Syntax syntax) {
+  static constexpr std::array<std::string_view, 6> names = {
+      "RDF/XML", "Turtle", "OWL/XML", "functional-style syntax", "Manchester syntax", "an unknown syntax"};
+  return names[static_cast<std::size_t>(syntax)];
+}
+
+Syntax recognise(const util::SourceText& source) {
+  const std::string_view text = source.text();
+  const std::string_view word = first_word(text);
+  if (looks_like_turtle(word)) return Syntax::Turtle;
+  if (word == "Prefix(" || word == "Ontology(") return Syntax::Functional;
+  if (word == "Prefix:" || word == "Ontology:") return Syntax::Manchester;
+  if (word.starts_with("<")) {
+    const std::string_view root = text.substr(root_element(text), 200);
+    const std::string_view name = root.substr(0, root.find_first_of(" \t\r\n>/"));
+    const bool owl_xml = name == "<Ontology" ||
+                         (name.ends_with(":Ontology") && root.find("ontologyIRI") != std::string_view::npos);
+    return owl_xml ? Syntax::OwlXml : Syntax::RdfXml;
+  }
+  const Syntax named = by_extension(source.name());
+  if (named == Syntax::RdfXml && !text.empty()) return named;
+  return named;
+}
+
+Graph read_graph(const util::SourceText& source, ReadContext context) {
+  const Syntax syntax = recognise(source);
+  if (source.text().size() >= UINT32_MAX)
+    throw util::InputError(source, 0, "file-too-large", "an ontology document must be smaller than 4 GiB");
+  if (syntax == Syntax::Turtle) return read_turtle(source, context);
+  if (syntax == Syntax::RdfXml) return read_rdf_xml(source, context);
+  no_reader(source, syntax);
+}
+
+Ontology map_graphs(std::vector<Graph>& graphs, std::shared_ptr<OntologyData> data,
+                    const util::Limits& limits, util::Diagnostics& diagnostics) {
+  add_builtin_kinds(data->kinds, data->iris);
+  for (const Graph& graph : graphs) collect_declared(graph, data->kinds);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Graph& graph : graphs) changed |= infer_from_use(graph, data->kinds, data->iris);
+  }
+  for (std::size_t document = 0; document < graphs.size(); ++document)
+    Mapper(graphs[document], *data, diagnostics, limits, document).run();
+  if (!graphs.empty()) data->prefixes = graphs.front().prefixes;
+  return Ontology(std::move(data));
+}
+
+Ontology read(const util::SourceText& source, const util::Limits& limits, util::Diagnostics& diagnostics) {
+  auto data = std::make_shared<OntologyData>();
+  std::vector<Graph> graphs;
+  graphs.push_back(read_graph(source, {data->iris, limits, diagnostics}));
+  return map_graphs(graphs, std::move(data), limits, diagnostics);
+}
+
+}  // namespace heed::owl

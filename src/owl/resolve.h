@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace heed::owl {
+
+/// \p reference against \p base after RFC 3986, section 5.2. \p out is overwritten (a buffer to keep between
+/// calls).
+void resolve_iri(std::string_view base, std::string_view reference, std::string& out);
+
+/// Whether it begins with a scheme.
+[[nodiscard]] bool is_absolute_iri(std::string_view text);
+
+/// The first character that no IRI may hold (space, control, <>"{}|\^`), or npos.
+[[nodiscard]] std::size_t first_bad_character(std::string_view iri);
+
+}  // namespace heed::owl
