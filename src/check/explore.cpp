@@ -1,0 +1,350 @@
+#include "explore.h"
+
+#include <heed/util/diagnostic.h>
+#include <heed/util/hash.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace heed::check {
+
+using Kind = Refutation::Kind;
+
+Explorer::Explorer(const model::Mealy& machine, const Rules& rules, util::Budget& budget,
+                   const Options& options)
+    : machine_(machine),
+      rules_(rules),
+      budget_(budget),
+      options_(options),
+      letters_(machine, rules.spec),
+      legal_(rules, budget),
+      kept_width_(std::max<std::size_t>(1, rules.kept_programs.size())),
+      registers_(rules.registers + 1) {
+  map_columns();
+  check_machine();
+  rows_.resize(machine.transitions.size());
+  product_.words = (rules.env_justices + rules.sys_justices + 63) / 64;
+  step_marks_.resize(product_.words);
+}
+
+void Explorer::map_columns() {
+  const auto wanted = spec::controller_outputs(rules_.spec);
+  for (const model::Output& output : wanted) {
+    std::uint32_t column = 0;
+    while (column < machine_.outputs.size() && machine_.outputs[column].variable.name != output.variable.name)
+      ++column;
+    if (column == machine_.outputs.size() ||
+        machine_.outputs[column].variable.domain != output.variable.domain)
+      throw util::InputError(output.variable.location, "columns",
+                             fmt::format("the controller has no column '{}' as the specification declares it",
+                                         output.variable.name));
+    columns_.push_back(column);
+  }
+  if (machine_.outputs.size() != wanted.size())
+    throw util::InputError({}, "columns", "the controller has columns that the specification does not have");
+}
+
+void Explorer::check_machine() const {
+  const auto broken = [](const char* what) {
+    throw util::InputError({}, "controller", fmt::format("the controller is broken: {}", what));
+  };
+  if (machine_.state_count() == 0) broken("it has no state");
+  for (const auto& row : machine_.transitions)
+    if (row.input >= machine_.input_letters.size() || row.output >= machine_.output_letters.size() ||
+        row.next >= machine_.state_count())
+      broken("a row refers to nothing");
+  for (const auto& letter : machine_.output_letters) {
+    if (letter.size() != machine_.outputs.size()) broken("an output letter has the wrong length");
+    for (std::size_t i = 0; i < letter.size(); ++i)
+      if (letter[i] < machine_.outputs[i].variable.domain.low ||
+          letter[i] > machine_.outputs[i].variable.domain.high)
+        broken("an output letter has a value outside its type");
+  }
+}
+
+std::int32_t Explorer::column(std::uint32_t row, std::uint32_t slot) const {
+  return machine_.output_letters[machine_.transitions[row].output][columns_[slot - rules_.layout.inputs()]];
+}
+
+bool Explorer::holds(const Program& program, const std::int32_t* values) const {
+  return program.run({values}, registers_) != 0;
+}
+
+const std::int64_t* Explorer::kept_of(std::uint32_t node) const {
+  const std::uint32_t kept = product_.nodes[node].kept;
+  return kept == none ? nullptr : kept_values_.data() + kept * kept_width_;
+}
+
+TraceStep Explorer::step(std::uint32_t row) const {
+  const auto& transition = machine_.transitions[row];
+  return {machine_.input_letters[transition.input], machine_.output_letters[transition.output]};
+}
+
+std::vector<TraceStep> Explorer::trace(std::uint32_t node) const {
+  std::vector<TraceStep> out;
+  for (; node != 0; node = product_.nodes[node].parent) out.push_back(step(product_.nodes[node].row));
+  std::reverse(out.begin(), out.end());
+  return out;
+}
+
+bool Explorer::refuse(Refutation refutation, std::uint32_t node, const TraceStep& last) {
+  refutation.trace = trace(node);
+  refutation.trace.push_back(last);
+  verdict_->refutations.push_back(std::move(refutation));
+  refused_start_ = refused_start_ || node == 0;
+  return verdict_->refutations.size() < options_.most;
+}
+
+bool Explorer::missing(std::uint32_t node, const std::int32_t* values) {
+  if (node == 0 && rules_.spec.initial == spec::InitialQuantifiers::ExistsExists) return true;
+  return refuse({Kind::MissingInput,
+                 "every legal input has an answer",
+                 "the controller has no row for a legal input",
+                 {},
+                 0},
+                node, {letters_.valuation(values), {}});
+}
+
+void Explorer::run(Verdict& verdict) {
+  verdict_ = &verdict;
+  product_.nodes.push_back({0, none, none, none});
+  product_.first.push_back(0);
+  for (std::uint32_t node = 0; node < product_.nodes.size() && verdict.refutations.size() < options_.most;
+       ++node) {
+    expand(node);
+    finish_node();
+  }
+  verdict.product_states = product_.nodes.size();
+}
+
+void Explorer::expand(std::uint32_t node) {
+  Common common;
+  common.start = node == 0;
+  const auto initial = rules_.spec.initial;
+  common.fixed = common.start ? initial == spec::InitialQuantifiers::ExistsForall
+                              : rules_.spec.timing == spec::Timing::Moore;
+  bool any = false;
+  // The kept values of this node are copied: the table grows while successors are found.
+  std::vector<std::int64_t> kept;
+  if (!common.start) kept.assign(kept_of(node), kept_of(node) + kept_width_);
+  legal_.each(common.start ? nullptr : kept.data(), [&](std::int32_t* values) {
+    any = true;
+    return take(node, values, common);
+  });
+  if (common.start && any && !answered_start_ && verdict_->refutations.empty())
+    refuse({Kind::Initial,
+            "some legal first input has an answer",
+            "the controller answers no legal first input",
+            {},
+            0},
+           node, {});
+}
+
+bool Explorer::take(std::uint32_t node, std::int32_t* values, Common& common) {
+  ++verdict_->product_edges;
+  if ((verdict_->product_edges & 0xff) == 0) budget_.check();
+  const std::uint32_t letter = letters_.find(values);
+  if (letter == LetterIndex::unknown) return missing(node, values);
+  const auto* row = machine_.find(product_.nodes[node].state, letter);
+  if (!row) return missing(node, values);
+  answered_start_ = true;
+  return answer({node, static_cast<std::uint32_t>(row - machine_.transitions.data())}, values, common);
+}
+
+bool Explorer::answer(Answer at, std::int32_t* values, Common& common) {
+  if (!(common.start ? starts_well(at, values) : memories_agree(at, values)))
+    return verdict_->refutations.size() < options_.most;
+  if (common.fixed && !shares(at, common)) return verdict_->refutations.size() < options_.most;
+  for (std::uint32_t slot = rules_.layout.inputs(); slot < rules_.layout.size(); ++slot)
+    values[slot] = column(at.row, slot);
+  const RowFacts row = facts(at.row, values);
+  if (row.violated)
+    return refuse({row.wrong_column ? Kind::WrongColumn : Kind::Safety,
+                   *row.violated,
+                   row.wrong_column ? "a derived column is not what its definition says"
+                                    : "a guarantee that holds at every step is broken",
+                   {},
+                   0},
+                  at.node, step(at.row));
+  if (common.start) {
+    for (const Rule& rule : rules_.sys_init)
+      if (!holds(rule.program, values))
+        return refuse({Kind::Initial,
+                       rule.clause->text,
+                       "the first step breaks a guarantee on how the system starts",
+                       {},
+                       0},
+                      at.node, step(at.row));
+    if (start_broken(values)) return true;
+  } else if (!keeps_step(at, values)) {
+    return verdict_->refutations.size() < options_.most;
+  }
+  if (!row.environment_broken) connect(at, row, values);
+  return true;
+}
+
+bool Explorer::starts_well(Answer at, const std::int32_t*) {
+  for (std::uint32_t i = 0; i < rules_.spec.memories.size(); ++i) {
+    const spec::Memory& memory = rules_.spec.memories[i];
+    const std::int32_t code = column(at.row, rules_.layout.memory(i));
+    if (std::find(memory.initial.begin(), memory.initial.end(), code) != memory.initial.end()) continue;
+    refuse({memory.role == model::OutputRole::Plant ? Kind::Initial : Kind::WrongColumn,
+            memory.variable.name,
+            fmt::format("'{}' starts with {}, which is no initial value", memory.variable.name,
+                        memory.variable.domain.print(code)),
+            {},
+            0},
+           at.node, step(at.row));
+    return false;
+  }
+  return true;
+}
+
+bool Explorer::memories_agree(Answer at, const std::int32_t* values) {
+  for (std::uint32_t i = 0; i < rules_.spec.memories.size(); ++i) {
+    const std::uint32_t slot = rules_.layout.memory(i);
+    if (column(at.row, slot) == values[slot]) continue;
+    const model::Variable& variable = rules_.spec.memories[i].variable;
+    refuse({Kind::WrongColumn,
+            variable.name,
+            fmt::format("'{}' should be {} and is {}", variable.name, variable.domain.print(values[slot]),
+                        variable.domain.print(column(at.row, slot))),
+            {},
+            0},
+           at.node, step(at.row));
+    return false;
+  }
+  return true;
+}
+
+bool Explorer::shares(Answer at, Common& common) {
+  if (common.row == none) common.row = at.row;
+  const auto differs = [&](std::uint32_t slot) { return column(at.row, slot) != column(common.row, slot); };
+  bool same = true;
+  for (std::uint32_t i = 0; i < rules_.spec.outputs.size(); ++i)
+    same = same && !differs(rules_.layout.output(i));
+  for (std::uint32_t i = 0; i < rules_.spec.memories.size() && common.start; ++i)
+    same = same && !differs(rules_.layout.memory(i));
+  if (!same)
+    refuse({common.start ? Kind::Initial : Kind::Safety,
+            common.start ? "initial exists-forall" : "timing moore",
+            common.start ? "the first answer depends on the first input"
+                         : "the answer depends on the input of the same step",
+            {},
+            0},
+           at.node, step(at.row));
+  return same;
+}
+
+bool Explorer::keeps_step(Answer at, const std::int32_t* values) {
+  for (const Rule& rule : rules_.sys_step) {
+    if (rule.program.run({values, kept_of(at.node)}, registers_) != 0) continue;
+    refuse({Kind::Safety, rule.clause->text, "a guarantee on the step is broken", {}, 0}, at.node,
+           step(at.row));
+    return false;
+  }
+  return true;
+}
+
+bool Explorer::start_broken(const std::int32_t* values) {
+  return std::any_of(rules_.first.after.begin(), rules_.first.after.end(),
+                     [&](const Rule& rule) { return !holds(rule.program, values); });
+}
+
+const Explorer::RowFacts& Explorer::facts(std::uint32_t row, const std::int32_t* values) {
+  RowFacts& out = rows_[row];
+  if (out.known) return out;
+  out.known = true;
+  for (std::uint32_t i = 0; i < rules_.definitions.size() && !out.violated; ++i)
+    if (rules_.definitions[i].run({values}, registers_) != values[rules_.layout.definition(i)]) {
+      out.violated = &rules_.spec.definitions[i].name;
+      out.wrong_column = true;
+    }
+  for (const Rule& rule : rules_.sys_present)
+    if (!out.violated && !holds(rule.program, values)) out.violated = &rule.clause->text;
+  for (const Rule& rule : rules_.later.after)
+    out.environment_broken = out.environment_broken || !holds(rule.program, values);
+  out.marks = static_cast<std::uint32_t>(row_marks_.size());
+  row_marks_.resize(row_marks_.size() + product_.words);
+  for (std::size_t j = 0; j < rules_.justice_present.size(); ++j)
+    if (rules_.justice_present[j] && holds(*rules_.justice_present[j], values))
+      row_marks_[out.marks + j / 64] |= std::uint64_t{1} << (j % 64);
+  out.kept = intern_kept(values);
+  return out;
+}
+
+std::uint32_t Explorer::intern_kept(const std::int32_t* values) {
+  const std::size_t begin = kept_values_.size();
+  std::uint64_t hash = 0;
+  for (const auto& program : rules_.kept_programs) {
+    std::int64_t value = 0;
+    const auto hit = std::find_if(program.cases.begin(), program.cases.end(),
+                                  [&](const auto& c) { return holds(c.first, values); });
+    value = hit != program.cases.end() ? hit->second : program.term.run({values}, registers_);
+    kept_values_.push_back(value);
+    hash = util::mix(hash, static_cast<std::uint64_t>(value));
+  }
+  kept_values_.resize(begin + kept_width_);
+  auto& bucket = kept_index_[hash];
+  for (const std::uint32_t other : bucket) {
+    if (!std::equal(kept_values_.begin() + static_cast<std::ptrdiff_t>(begin), kept_values_.end(),
+                    kept_values_.begin() + static_cast<std::ptrdiff_t>(other * kept_width_)))
+      continue;
+    kept_values_.resize(begin);
+    return other;
+  }
+  bucket.push_back(static_cast<std::uint32_t>(begin / kept_width_));
+  return bucket.back();
+}
+
+void Explorer::connect(Answer at, const RowFacts& row, const std::int32_t* values) {
+  const std::uint32_t state = machine_.transitions[at.row].next;
+  const std::uint64_t key = (std::uint64_t{state} << 32U) | row.kept;
+  const auto [found, fresh] = node_index_.emplace(key, static_cast<std::uint32_t>(product_.nodes.size()));
+  if (fresh) product_.nodes.push_back({state, row.kept, at.node, at.row});
+  if (rules_.sys_justices == 0) return;
+  for (std::size_t w = 0; w < product_.words; ++w) step_marks_[w] = row_marks_[row.marks + w];
+  for (std::size_t j = 0; at.node != 0 && j < rules_.justice_step.size(); ++j)
+    if (rules_.justice_step[j] && rules_.justice_step[j]->run({values, kept_of(at.node)}, registers_) != 0)
+      step_marks_[j / 64] |= std::uint64_t{1} << (j % 64);
+  product_.edges.push_back({found->second, at.row});
+  product_.marks.insert(product_.marks.end(), step_marks_.begin(), step_marks_.end());
+}
+
+/// Closes the edge list of a node, keeping one edge per (target, justices): letters that do the same are one.
+void Explorer::finish_node() {
+  const std::size_t begin = product_.first.back(), words = product_.words;
+  const std::size_t count = product_.edges.size() - begin;
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  const auto marks = [&](std::uint32_t i) {
+    return product_.marks.begin() + static_cast<std::ptrdiff_t>((begin + i) * words);
+  };
+  const auto compare = [&](std::uint32_t a, std::uint32_t b) {
+    if (product_.edges[begin + a].target != product_.edges[begin + b].target)
+      return product_.edges[begin + a].target < product_.edges[begin + b].target ? -1 : 1;
+    const auto [x, y] = std::mismatch(marks(a), marks(a) + static_cast<std::ptrdiff_t>(words), marks(b));
+    return x == marks(a) + static_cast<std::ptrdiff_t>(words) ? 0 : (*x < *y ? -1 : 1);
+  };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const int way = compare(a, b);
+    return way != 0 ? way < 0 : a < b;
+  });
+  order.erase(std::unique(order.begin(), order.end(), [&](auto a, auto b) { return compare(a, b) == 0; }),
+              order.end());
+  std::vector<Product::Edge> edges;
+  std::vector<std::uint64_t> kept;
+  for (const std::uint32_t i : order) {
+    edges.push_back(product_.edges[begin + i]);
+    kept.insert(kept.end(), marks(i), marks(i) + static_cast<std::ptrdiff_t>(words));
+  }
+  product_.edges.resize(begin);
+  product_.marks.resize(begin * words);
+  product_.edges.insert(product_.edges.end(), edges.begin(), edges.end());
+  product_.marks.insert(product_.marks.end(), kept.begin(), kept.end());
+  product_.first.push_back(product_.edges.size());
+}
+
+}  // namespace heed::check

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <heed/check/verify.h>
+
+#include "letters.h"
+#include "rules.h"
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace heed::check {
+
+constexpr std::uint32_t none = UINT32_MAX;
+
+/// The reachable product of a machine and its specification. A node stands after a step: the machine's state
+/// and what was kept of the step. Node 0 stands before the first.
+struct Product {
+  struct Node {
+    std::uint32_t state;   ///< Of the machine.
+    std::uint32_t kept;    ///< Index of the kept values; none for node 0.
+    std::uint32_t parent;  ///< On a shortest path from node 0.
+    std::uint32_t row;     ///< The machine's transition that led here from the parent.
+  };
+  struct Edge {
+    std::uint32_t target, row;
+  };
+  std::vector<Node> nodes;
+  std::vector<std::size_t> first;  ///< Edges of node n: first[n] ... first[n + 1] - 1.
+  std::vector<Edge>
+      edges;  ///< Without repetition of (target, justices). Empty if no system justice asks for them.
+  std::vector<std::uint64_t>
+      marks;  ///< Per edge `words` words: bit i = justice i is met, environment's first.
+  std::size_t words = 0;
+
+  [[nodiscard]] bool meets(std::size_t edge, std::size_t justice) const {
+    return ((marks[edge * words + justice / 64] >> (justice % 64)) & 1U) != 0;
+  }
+};
+
+/// Builds the product breadth first and refuses, on the way, what a single step can show.
+class Explorer {
+ public:
+  Explorer(const model::Mealy& machine, const Rules& rules, util::Budget& budget, const Options& options);
+
+  void run(Verdict& verdict);
+  [[nodiscard]] const Product& product() const { return product_; }
+  /// The steps from the start to \p node.
+  [[nodiscard]] std::vector<TraceStep> trace(std::uint32_t node) const;
+  [[nodiscard]] TraceStep step(std::uint32_t row) const;
+
+ private:
+  /// What depends on a row alone, computed when a legal step first takes it.
+  struct RowFacts {
+    bool known = false;
+    bool environment_broken =
+        false;  ///< An assumption over outputs fails in this step: no obligation follows it.
+    std::uint32_t kept = none;
+    std::uint32_t marks = 0;  ///< Present justices, in `row_marks_`.
+    const std::string* violated = nullptr;
+    bool wrong_column = false;
+  };
+  struct Answer {
+    std::uint32_t node, row;
+  };
+  /// What the rows taken at one node have to share where an answer may not depend on the input.
+  struct Common {
+    bool start = false, fixed = false;
+    std::uint32_t row = none;
+  };
+
+  void map_columns();
+  void check_machine() const;
+  void expand(std::uint32_t node);
+  void finish_node();
+  bool take(std::uint32_t node, std::int32_t* values, Common& common);
+  bool answer(Answer at, std::int32_t* values, Common& common);
+  bool starts_well(Answer at, const std::int32_t* values);
+  bool memories_agree(Answer at, const std::int32_t* values);
+  bool shares(Answer at, Common& common);
+  bool keeps_step(Answer at, const std::int32_t* values);
+  const RowFacts& facts(std::uint32_t row, const std::int32_t* values);
+  bool start_broken(const std::int32_t* values);
+  void connect(Answer at, const RowFacts& row, const std::int32_t* values);
+  std::uint32_t intern_kept(const std::int32_t* values);
+  [[nodiscard]] std::int32_t column(std::uint32_t row, std::uint32_t slot) const;
+  [[nodiscard]] bool holds(const Program& program, const std::int32_t* values) const;
+  [[nodiscard]] const std::int64_t* kept_of(std::uint32_t node) const;
+  bool refuse(Refutation refutation, std::uint32_t node, const TraceStep& last);
+  bool missing(std::uint32_t node, const std::int32_t* values);
+
+  const model::Mealy& machine_;
+  const Rules& rules_;
+  util::Budget& budget_;
+  const Options& options_;
+  Verdict* verdict_ = nullptr;
+  LetterIndex letters_;
+  LegalInputs legal_;
+  Product product_;
+  std::vector<std::uint32_t> columns_;  ///< Of the machine, per slot from the outputs on.
+  std::vector<RowFacts> rows_;
+  std::vector<std::uint64_t> row_marks_;
+  std::size_t kept_width_ = 1;
+  std::vector<std::int64_t> kept_values_;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> kept_index_;
+  std::unordered_map<std::uint64_t, std::uint32_t> node_index_;
+  std::vector<std::uint64_t> step_marks_;
+  mutable std::vector<std::int64_t> registers_;
+  bool answered_start_ = false, refused_start_ = false;
+};
+
+}  // namespace heed::check
