@@ -72,8 +72,8 @@ std::uint32_t refine(const Mealy& machine, const std::vector<std::uint32_t>& ord
       const auto same = std::find_if(leaders.begin(), leaders.end(), [&](std::uint32_t l) {
         return same_rows(machine, order[l], order[position], block);
       });
-      if (same == leaders.end()) leaders.push_back(position);
       leader[position] = same == leaders.end() ? position : *same;
+      if (leader[position] == position) leaders.push_back(position);
     }
     begin = end;
   }
