@@ -275,12 +275,24 @@ bool Lowering::unroll_next(const Obligation& obligation, Step step) {
   return true;
 }
 
-/// match: t -> (a U b) | f. result: t -> (a W b) | f and t -> F b | f.
+/// `a U b` at the one step where \p trigger holds, as F: b is reached, and a held at every step before it.
+Formula reached(const Formula& trigger, const Formula& a, const Formula& b) {
+  const Formula failed = previous(once(!a && once(trigger)));
+  return Formula::make(Op::Eventually, {once(trigger) && !failed && b}, b.location());
+}
+
+/// match: t -> (a U b) | f. result: t -> (a W b) | f and t -> F b | f; where b speaks of the future, t -> F
+/// (... & b) | f.
 bool Lowering::split_until(const Obligation& obligation, Step step) {
   for (std::size_t i = 0; i < obligation.disjuncts.size(); ++i) {
     const Formula disjunct = obligation.disjuncts[i];
     if (disjunct.op() != Op::Until) continue;
     Obligation part = obligation;
+    if (obligation.single && locality_.is_local(disjunct[0]) && !locality_.is_local(disjunct[1])) {
+      part.disjuncts[i] = reached(obligation.trigger, disjunct[0], disjunct[1]);
+      push(step, std::move(part));
+      return true;
+    }
     part.disjuncts[i] = Formula::make(Op::Eventually, {disjunct[1]}, disjunct.location());
     push(step, part);
     part.disjuncts[i] = Formula::make(Op::WeakUntil, {disjunct[0], disjunct[1]}, disjunct.location());
@@ -346,7 +358,13 @@ void Lowering::handle_weak(const Obligation& obligation, const Kinds& kinds, Ste
   const Formula& weak = kinds.weak.front();
   const Formula release = weak.op() == Op::Always ? truth(false) : weak[1];
   if (!locality_.is_local(release)) {
-    if (weak[0].is_false()) return push(step, {obligation.trigger, obligation.single, {release}});
+    if (obligation.single && locality_.is_local(weak[0])) {
+      Obligation cases{obligation.trigger, true, {Formula::make(Op::Always, {weak[0]}, weak.location())}};
+      cases.disjuncts.push_back(reached(obligation.trigger, weak[0], release));
+      for (const Formula& goal : kinds.eventual)
+        cases.disjuncts.push_back(Formula::make(Op::Eventually, {goal}, goal.location()));
+      return push(step, std::move(cases));
+    }
     refuse(weak, "when its right side becomes true is not known at that step");
   }
   const Formula goal = any_of(kinds.eventual);
