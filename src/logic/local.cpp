@@ -11,10 +11,10 @@
 #include "local.h"
 
 #include "precedence.h"
+#include "print.h"
 #include "walk.h"
 
 #include <fmt/format.h>
-#include <heed/logic/parse.h>
 #include <heed/logic/rewrite.h>
 #include <heed/util/diagnostic.h>
 
@@ -124,7 +124,7 @@ Comparison normal_terms(const Formula& comparison) {
   if (primes.most > primes.least + 1)
     throw util::InputError(
         comparison.location(), "not-gr1",
-        fmt::format("'{}' compares values more than one step apart", to_string(comparison)),
+        fmt::format("'{}' compares values more than one step apart", to_short_string(comparison)),
         "keep the value in a variable of the specification");
   return {strip_primes(pushed, primes.least), primes};
 }
@@ -267,7 +267,7 @@ std::size_t LocalCompiler::monitor(const Formula& past, bool initial) {
   const auto [found, added] = monitors_[initial ? 1 : 0].emplace(past, result_.monitors.size());
   if (added)
     result_.monitors.push_back(
-        {prefix_ + std::to_string(result_.monitors.size() + 1), initial, Formula(), to_string(past)});
+        {prefix_ + std::to_string(result_.monitors.size() + 1), initial, Formula(), to_short_string(past)});
   return found->second;
 }
 

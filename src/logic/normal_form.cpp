@@ -1,9 +1,9 @@
 #include "normal_form.h"
 
+#include "print.h"
 #include "walk.h"
 
 #include <fmt/format.h>
-#include <heed/logic/parse.h>
 #include <heed/util/diagnostic.h>
 
 #include <utility>
@@ -17,7 +17,8 @@ void refuse(const Formula& formula, const std::string& reason) {
     if (location.line == 0) location = node.location();
   throw util::InputError(
       std::move(location), "not-gr1",
-      fmt::format("'{}' is outside what deterministic monitors can follow: {}", to_string(formula), reason),
+      fmt::format("'{}' is outside what deterministic monitors can follow: {}", to_short_string(formula),
+                  reason),
       "state what must hold always (G), again and again (GF), or after a request (G (a -> F b))");
 }
 

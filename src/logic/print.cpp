@@ -1,10 +1,12 @@
+#include "print.h"
+
 #include "lexer.h"
 #include "precedence.h"
 
 #include <heed/logic/parse.h>
 
 #include <algorithm>
-#include <cctype>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -84,11 +86,12 @@ constexpr Sign signs[] = {{Op::Not, "!", "\u00ac", "&not;", "\\lnot "},
 /// Writes a formula from a stack of what is still to come: text, or a part and how tightly it must bind.
 class Printer {
  public:
-  explicit Printer(Notation notation) : notation_(notation) {}
+  explicit Printer(Notation notation, std::size_t most = SIZE_MAX) : notation_(notation), most_(most) {}
 
   std::string print(const Formula& formula) {
     todo_.push_back({&formula, bind_nothing, {}});
     while (!todo_.empty()) {
+      if (out_.size() > most_) return out_ + "...";
       const Item item = std::move(todo_.back());
       todo_.pop_back();
       if (item.formula == nullptr)
@@ -116,6 +119,7 @@ class Printer {
   [[nodiscard]] std::string word(const char* text) const;
 
   Notation notation_;
+  std::size_t most_;
   std::string out_;
   std::vector<Item> todo_;
 };
@@ -214,6 +218,10 @@ std::string to_string(const Formula& formula) {
 
 std::string to_string(const Formula& formula, Notation notation) {
   return Printer(notation).print(formula);
+}
+
+std::string to_short_string(const Formula& formula, std::size_t bytes) {
+  return Printer(Notation::Ascii, bytes).print(formula);
 }
 
 }  // namespace heed::logic

@@ -161,7 +161,10 @@ void LineReader::read_named(const Word& key, const Word& title) {
 
 void LineReader::read_edge(Word from) {
   const std::string hint = "transitions are written M4 -go-> M3";
-  if (accept("->")) fail("an action before '->'", hint);
+  if (accept("->")) {
+    at_ -= 2;
+    fail("an action between '-' and '->'", hint);
+  }
   if (!accept("-")) fail("'-', ':' or a name", hint);
   Word action = name("an action");
   if (!accept("->")) fail("'->'", hint);

@@ -16,7 +16,7 @@ struct Monitor {
   /// The value at the next step. Over current names and current monitors; a name is primed only where the requirement
   /// compares a term with its own next value (`x' = x + 1`) and looks back at that.
   Formula update;
-  std::string remembers;  ///< For people: the formula whose value at the step before it keeps.
+  std::string remembers;  ///< For people: the formula whose last value it keeps (cut when huge).
 };
 
 /// A requirement as the parts of a GR(1) specification.

@@ -181,7 +181,7 @@ TEST(Lower, AgreesWithTheLogicOnRandomFormulas) {
                                   Op::Once,  Op::Always,    Op::Historically, Op::And,     Op::Or};
   const std::vector<test::Lasso> small = test::all_words(2, 1, 2);
   int accepted = 0, refused = 0;
-  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+  for (std::uint64_t seed = 0; seed < 1500; ++seed) {
     util::CounterRandom random(seed, 2);
     const unsigned propositions = seed % 2 == 0 ? 2 : 3;
     const Formula requirement =
@@ -202,7 +202,7 @@ TEST(Lower, AgreesWithTheLogicOnRandomFormulas) {
   }
   RecordProperty("accepted", accepted);
   RecordProperty("refused", refused);
-  EXPECT_GT(accepted, 1500) << refused << " refused";
+  EXPECT_GT(accepted, 900) << refused << " refused";
 }
 
 TEST(Lower, SurvivesDeepNesting) {
@@ -216,8 +216,8 @@ TEST(Lower, SurvivesDeepNesting) {
     }
   });
   Formula past = name("a");
-  for (int i = 0; i < 2'000; ++i) past = Formula::make(Op::Once, {name("b") && past});
-  EXPECT_EQ(lower(always(past)).monitors.size(), 2'000U);
+  for (int i = 0; i < 10'000; ++i) past = Formula::make(Op::Once, {name("b") && past});
+  EXPECT_EQ(lower(always(past)).monitors.size(), 10'000U);
 }
 
 }  // namespace
