@@ -24,6 +24,7 @@ class Solver {
   Solver(const Game& game, util::Budget& budget, const SolveOptions& options)
       : game_(game), budget_(budget), options_(options), cpre_(game), goals_(game.sys_justice.size()) {
     region_.winning = game.valid;
+    stuck_ = cpre_.of_set(game.manager->constant(false));
     region_.ranks.resize(goals_);
     region_.waits.resize(goals_);
   }
@@ -70,7 +71,7 @@ class Solver {
     for (std::size_t k = 0;; ++k) {
       if (waits.size() <= k) waits.emplace_back();
       Bdd grown = Y;
-      const Bdd base = justice.step ? Bdd() : k == 0 ? stay : stay | (Z & predecessor(Y));
+      const Bdd base = justice.step ? Bdd() : stay | (Z & (k == 0 ? stuck_ : predecessor(Y)));
       for (std::size_t i = 0; i < game_.env_justice.size(); ++i) {
         Bdd start = Z;
         if (waits[k].size() > i) start &= waits[k][i];
@@ -126,6 +127,7 @@ class Solver {
   SolveOptions options_;
   Predecessor cpre_;
   std::size_t goals_;
+  Bdd stuck_;  ///< cpre(false): the environment cannot move.
   Region region_;
 };
 

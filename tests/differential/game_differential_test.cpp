@@ -1,0 +1,56 @@
+#include "game_random.h"
+#include "game_reference.h"
+
+#include <heed/spec/text.h>
+#include <heed/strategy/synthesize.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+
+namespace heed {
+namespace {
+
+std::uint64_t specifications() {
+  const char* slow = std::getenv("HEED_SLOW");
+  return slow != nullptr && std::string(slow) == "1" ? 10'000 : 1'000;
+}
+
+struct Counts {
+  std::uint64_t realizable = 0, unrealizable = 0, waiting = 0, cores = 0;
+};
+
+void compare(std::uint64_t seed, Counts& counts) {
+  const spec::Gr1 spec = reference::random_spec(seed);
+  const reference::Rules rules(spec);
+  util::Budget budget;
+  const strategy::Result result = strategy::synthesize(spec, budget);
+  ASSERT_EQ(result.realizable, reference::realizable(rules)) << "seed " << seed << "\n"
+                                                             << spec::write_gr1(spec);
+  strategy::Options asked;
+  asked.only_realizability = true;
+  EXPECT_EQ(strategy::synthesize(spec, budget, asked).realizable, result.realizable) << "seed " << seed;
+  ++(result.realizable ? counts.realizable : counts.unrealizable);
+  if (!result.realizable) {
+    ASSERT_TRUE(result.counter) << "seed " << seed;
+    counts.cores += result.counter->reasons.empty() ? 0 : 1;
+    return;
+  }
+  ASSERT_TRUE(result.machine) << "seed " << seed;
+  counts.waiting += result.relies_on_broken_justice ? 1 : 0;
+  EXPECT_EQ(reference::fault(*result.machine, rules), "") << "seed " << seed << "\n" << spec::write_gr1(spec);
+}
+
+TEST(GameDifferential, VerdictsAndMachinesAgreeWithTheExplicitReference) {
+  Counts counts;
+  for (std::uint64_t seed = 0; seed < specifications() && !HasFatalFailure(); ++seed) compare(seed, counts);
+  std::cout << "realizable " << counts.realizable << ", unrealizable " << counts.unrealizable << ", waiting "
+            << counts.waiting << ", with core " << counts.cores << "\n";
+  EXPECT_GT(counts.realizable, specifications() / 5);
+  EXPECT_GT(counts.unrealizable, specifications() / 5);
+  EXPECT_GT(counts.waiting, specifications() / 200);
+}
+
+}  // namespace
+}  // namespace heed
