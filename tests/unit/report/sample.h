@@ -2,10 +2,12 @@
 
 #include <heed/report/result.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -270,6 +272,31 @@ inline RunResult result() {
                0.238,
                0.241,
                31'400'000};
+  r.headline = headline_of(r);
+  return r;
+}
+
+/// One controller, one chart: short enough for the documentation.
+inline RunResult small() {
+  RunResult r;
+  r.scenario = "stop-sign";
+  r.command = "heed run stop-sign.toml";
+  r.inputs = {{"scenario", "stop-sign.toml", ""}};
+  r.ontology.file = "traffic-signs.owl";
+  r.ontology.axioms = 412;
+  r.ontology.excerpt = {axiom("a2", "StopSign SubClassOf: prescribes some Halt", 826)};
+  r.knowledge = {knowledge()[4]};
+  r.specification = {
+      {"sys_justice", "What it must reach again and again", {{"G F location = 0", "task", {}}}}};
+  r.controllers = {controllers()[2]};
+  r.profiles = {profiles()[1]};
+  r.charts = {charts()[5]};
+  r.charts[0].bars.resize(2);
+  r.catalogue = {entry("No entry", "prohibitory", {"circle", "red"}, {"slow down"}, 2)};
+  r.catalogue[0].encounters = {r.catalogue[0].encounters[5]};
+  r.speed.curves = {{"stop in 4", 4, 2.411265, {"M0", "M4", "S3", "S2", "S1", "S0"}, {{40, 50}, {0, 0}}}};
+  r.seed = 2024;
+  r.versions = {{"heed", "0.1.0"}};
   r.headline = headline_of(r);
   return r;
 }
