@@ -160,15 +160,8 @@ bool Explorer::answer(Answer at, std::int32_t* values, Common& common) {
   for (std::uint32_t slot = rules_.layout.inputs(); slot < rules_.layout.size(); ++slot)
     values[slot] = column(at.row, slot);
   const RowFacts row = facts(at.row, values);
-  if (row.violated)
-    return refuse({row.wrong_column ? Kind::WrongColumn : Kind::Safety,
-                   *row.violated,
-                   row.wrong_column ? "a derived column is not what its definition says"
-                                    : "a guarantee that holds at every step is broken",
-                   {},
-                   0},
-                  at.node, step(at.row));
-  if (common.start) {
+  if (row.violated && row.wrong_column) return refuse_row(at, row);
+  if (common.start)
     for (const Rule& rule : rules_.sys_init)
       if (!holds(rule.program, values))
         return refuse({Kind::Initial,
@@ -177,12 +170,18 @@ bool Explorer::answer(Answer at, std::int32_t* values, Common& common) {
                        {},
                        0},
                       at.node, step(at.row));
-    if (start_broken(values)) return true;
-  } else if (!keeps_step(at, values)) {
-    return verdict_->refutations.size() < options_.most;
-  }
+  if (row.violated) return refuse_row(at, row);
+  if (common.start && start_broken(values)) return true;
+  if (!common.start && !keeps_step(at, values)) return verdict_->refutations.size() < options_.most;
   if (!row.environment_broken) connect(at, row, values);
   return true;
+}
+
+bool Explorer::refuse_row(Answer at, const RowFacts& row) {
+  const char* message = row.wrong_column ? "a derived column is not what its definition says"
+                                         : "a guarantee that holds at every step is broken";
+  return refuse({row.wrong_column ? Kind::WrongColumn : Kind::Safety, *row.violated, message, {}, 0}, at.node,
+                step(at.row));
 }
 
 bool Explorer::starts_well(Answer at, const std::int32_t*) {
