@@ -63,6 +63,9 @@ struct Feature {
   std::vector<owl::AxiomId> functional{};  ///< Why the role has at most one value; empty: nothing says so.
   std::vector<Entailed> implies{};         ///< More general features, all of them (features).
   std::optional<std::size_t> entity{};     ///< kind == Class: the entity that it is (entities).
+  /// Part of descriptions unless perception says otherwise; not so the groups of entities that only may be
+  /// reported.
+  bool standard = true;
 };
 
 struct Behaviour {

@@ -56,6 +56,7 @@ struct RecognisedEntity {
   logic::Formula formula;  ///< Over symbols, levels and earlier `recognised_...`.
   std::vector<owl::AxiomId> axioms;
   std::vector<Evidence> evidence;  ///< Prime implicants; at most `evidence_cap`.
+  std::vector<Evidence> own;       ///< The same without what comes from its members.
   bool evidence_complete = true;
 };
 

@@ -1,0 +1,171 @@
+#include <heed/awareness/explain.h>
+#include <heed/logic/parse.h>
+
+#include "evidence.h"
+#include "told.h"
+
+#include <heed/owl/print.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace heed::awareness {
+namespace {
+
+std::string quoted_list(const std::vector<std::string>& atoms) {
+  return atoms.empty() ? "nothing" : fmt::format("'{}'", fmt::join(atoms, "', '"));
+}
+
+/// A minimal part of \p seen for which the rule still holds: drop what can be dropped, in alphabetic order.
+std::vector<std::string> shrink(std::set<std::string> seen,
+                                const std::function<bool(const std::set<std::string>&)>& holds) {
+  const std::vector<std::string> all(seen.begin(), seen.end());
+  for (const std::string& atom : all) {
+    seen.erase(atom);
+    if (!holds(seen)) seen.insert(atom);
+  }
+  return {seen.begin(), seen.end()};
+}
+
+bool recognised(const Recognition& recognition, const std::string& name, const std::set<std::string>& seen) {
+  std::map<std::string, bool> value;
+  for (const RecognisedEntity& entity : recognition.entities)
+    value[entity.name] = evaluate(entity.formula, [&](const std::string& atom) {
+      const auto known = value.find(atom);
+      return known != value.end() ? known->second : seen.contains(atom);
+    });
+  const auto found = value.find(name);
+  return found != value.end() && found->second;
+}
+
+/// Axioms behind a minimal set: from the list of evidence, or, where that was cut short, all axioms of the
+/// entity's rule.
+Axioms axioms_for(const RecognisedEntity& entity, const std::vector<std::string>& atoms) {
+  for (const Evidence& evidence : entity.evidence)
+    if (evidence.atoms == atoms) return evidence.axioms;
+  return entity.axioms;
+}
+
+/// The listed evidence of which least is missing.
+std::vector<std::string> missing(const RecognisedEntity& entity, const std::set<std::string>& seen) {
+  std::vector<std::string> best;
+  bool any = false;
+  for (const Evidence& evidence : entity.evidence) {
+    std::vector<std::string> lacks;
+    for (const std::string& atom : evidence.atoms)
+      if (!seen.contains(atom)) lacks.push_back(atom);
+    if (!any || lacks.size() < best.size()) best = lacks;
+    any = true;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<AxiomText> axiom_texts(const Catalogue& catalogue, const std::vector<owl::AxiomId>& axioms) {
+  std::vector<AxiomText> result;
+  for (const owl::AxiomId id : axioms) {
+    const owl::Axiom& axiom = catalogue.ontology.axiom(id);
+    result.push_back({id, owl::to_text(axiom, catalogue.ontology), axiom.location});
+  }
+  return result;
+}
+
+Explanation explain_formula(const Catalogue& catalogue, const SigmaFormula& formula) {
+  return {fmt::format("{} ({})", logic::to_string(formula.formula), to_string(formula.kind)),
+          true,
+          {{formula.sentence, axiom_texts(catalogue, formula.axioms)}}};
+}
+
+Explanation explain_entity(const Catalogue& catalogue, std::size_t entity) {
+  const Entity& it = catalogue.entities[entity];
+  Explanation result{fmt::format("'{}' ({})", it.label, it.atom), true, {}};
+  for (const Entailed& up : it.parents)
+    result.steps.push_back({fmt::format("It is a '{}'.", catalogue.entities[up.index].label),
+                            axiom_texts(catalogue, up.axioms)});
+  for (const Entailed& has : catalogue.described(entity)) {
+    const Feature& feature = catalogue.features[has.index];
+    if (feature.entity == entity) continue;
+    const std::string how = feature.kind == Feature::Kind::Class ? "" : feature.role_atom + " ";
+    result.steps.push_back(
+        {fmt::format("It has the feature {}'{}'.", how, feature.label), axiom_texts(catalogue, has.axioms)});
+  }
+  for (const Entailed& act : it.behaviours)
+    result.steps.push_back({fmt::format("It prescribes to '{}'.", catalogue.behaviours[act.index].label),
+                            axiom_texts(catalogue, act.axioms)});
+  return result;
+}
+
+Explanation explain_behaviour(const Catalogue& catalogue, std::size_t behaviour) {
+  const Behaviour& it = catalogue.behaviours[behaviour];
+  Explanation result{fmt::format("'{}' ({})", it.label, it.atom), true, {}};
+  for (const Entailed& up : it.parents)
+    result.steps.push_back({fmt::format("It is a special way to '{}'.", catalogue.behaviours[up.index].label),
+                            axiom_texts(catalogue, up.axioms)});
+  for (std::size_t e = 0; e < catalogue.entities.size(); ++e)
+    if (const Entailed* act = catalogue.prescribes(e, behaviour); act != nullptr)
+      result.steps.push_back({fmt::format("'{}' prescribes it.", catalogue.entities[e].label),
+                              axiom_texts(catalogue, act->axioms)});
+  return result;
+}
+
+Explanation explain_warning(const Catalogue& catalogue, const Warning& warning) {
+  return {warning.message,
+          true,
+          {{fmt::format("Warning [{}], because of", warning.code), axiom_texts(catalogue, warning.axioms)}}};
+}
+
+Explanation explain_recognition(const Catalogue& catalogue, const Recognition& recognition,
+                                std::size_t entity, const std::set<std::string>& seen) {
+  const std::string label = catalogue.entities[entity].label;
+  const RecognisedEntity* rule = recognition.find_entity(entity);
+  if (rule == nullptr)
+    return {fmt::format("'{}' is never recognised by this policy ({})", label, recognition.words), false, {}};
+  if (!recognised(recognition, rule->name, seen)) {
+    const auto lacks = missing(*rule, seen);
+    return {fmt::format("'{}' is not recognised", label),
+            false,
+            {{fmt::format("The nearest evidence lacks {}.", quoted_list(lacks)), {}}}};
+  }
+  const auto why = shrink(
+      seen, [&](const std::set<std::string>& part) { return recognised(recognition, rule->name, part); });
+  const Axioms axioms = axioms_for(*rule, why);
+  return {fmt::format("'{}' is recognised", label),
+          true,
+          {{fmt::format("{} suffices (policy: {}).", quoted_list(why), recognition.words),
+            axiom_texts(catalogue, axioms)}}};
+}
+
+Explanation explain_reaction(const Catalogue& catalogue, const Recognition& recognition,
+                             std::size_t behaviour, const std::set<std::string>& seen) {
+  const std::string label = catalogue.behaviours[behaviour].label;
+  Explanation result{fmt::format("'{}' is not prescribed", label), false, {}};
+  const PrescribedBehaviour* rule = recognition.find_behaviour(behaviour);
+  if (rule == nullptr) return result;
+  for (const std::size_t entity : rule->because) {
+    const Explanation why = explain_recognition(catalogue, recognition, entity, seen);
+    if (!why.holds) continue;
+    result.holds = true;
+    result.subject = fmt::format("'{}' is prescribed", label);
+    result.steps.push_back({why.subject + ".", {}});
+    result.steps.insert(result.steps.end(), why.steps.begin(), why.steps.end());
+    result.steps.push_back(
+        {fmt::format("A '{}' prescribes to '{}'.", catalogue.entities[entity].label, label),
+         axiom_texts(catalogue, catalogue.prescribes(entity, behaviour)->axioms)});
+  }
+  return result;
+}
+
+std::string to_text(const Explanation& explanation) {
+  std::string text = explanation.subject + "\n";
+  for (const ExplanationStep& step : explanation.steps) {
+    text += fmt::format("  {}\n", step.sentence);
+    for (const AxiomText& axiom : step.axioms)
+      text += fmt::format("    {}  {}  ({})\n", owl::to_string(axiom.id), axiom.text,
+                          util::to_string(axiom.location));
+  }
+  return text;
+}
+
+}  // namespace heed::awareness
