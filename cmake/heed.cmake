@@ -18,7 +18,7 @@ endif()
 
 add_library(heed_flags INTERFACE)
 target_compile_options(heed_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-  -Wno-sign-conversion $<$<BOOL:${HEED_WERROR}>:-Werror>)
+  -Wno-sign-conversion $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<BOOL:${HEED_WERROR}>:-Werror>)
 if(HEED_SANITIZE)
   target_compile_options(heed_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(heed_flags INTERFACE -fsanitize=address,undefined)

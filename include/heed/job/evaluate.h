@@ -1,0 +1,66 @@
+#pragma once
+
+#include <heed/job/controller.h>
+#include <heed/model/mealy.h>
+#include <heed/sim/exact.h>
+#include <heed/sim/run.h>
+#include <heed/sim/sample.h>
+#include <heed/util/limits.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace heed::job {
+
+/// Which transitions of \p machine satisfy each of \p formulas, one flag per transition: formulas without
+/// temporal operators over the names of its columns and inputs. \throws util::InputError  a name that is no
+/// column, with the nearest one.
+[[nodiscard]] std::vector<std::vector<bool>> hold_at_transitions(const std::vector<logic::Formula>& formulas,
+                                                                 const model::Mealy& machine);
+
+/// How the runs of \p machine are judged: by the outcomes of the scenario, the first event decides. With \p
+/// never_apart, runs without an event get a category of their own, the last one, instead of the one for the
+/// rest.
+[[nodiscard]] sim::Judge make_judge(const Scenario& scenario, const World& world, const model::Mealy& machine,
+                                    bool never_apart);
+
+/// What is on the road: an entity of the catalogue, or nothing.
+using Thing = std::optional<std::size_t>;
+
+/// The chain of \p profile for \p thing and the wires from its features to the machine's inputs. A feature of
+/// the profile is a reported symbol, present when the ontology entails it of the thing, or an enumerated
+/// input, which shows the thing's value. \throws util::InputError  a feature that is neither.
+struct Approach {
+  sim::Chain chain;
+  sim::Binding binding;
+};
+[[nodiscard]] Approach approach(const ProfilePart& profile, const World& world, const model::Mealy& machine,
+                                Thing thing, util::Budget& budget);
+
+/// What an approach looks like: the same text means the same distribution of observations.
+[[nodiscard]] std::string appearance(const ProfilePart& profile, const World& world, Thing thing);
+
+/// One chart: exact and sampled outcomes.
+struct Evaluation {
+  std::vector<std::string> categories;
+  sim::ExactOutcome exact;
+  sim::SampleOutcome sampled;
+};
+struct EvaluateOptions {
+  std::uint64_t traces = 0, seed = 1;
+  unsigned threads = 1;
+  bool never_apart = false;
+};
+[[nodiscard]] Evaluation evaluate(const Scenario& scenario, const World& world, const ProfilePart& profile,
+                                  const model::Mealy& machine, Thing thing, const EvaluateOptions& options,
+                                  util::Budget& budget);
+
+/// The plant's states on the way when \p thing becomes visible as a whole in \p cell (or never, if \p cell is
+/// past the last one); empty when the machine does not tell.
+[[nodiscard]] std::vector<std::string> states_on_the_way(const World& world, const ProfilePart& profile,
+                                                         const model::Mealy& machine, Thing thing,
+                                                         std::uint32_t cell);
+
+}  // namespace heed::job

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <heed/awareness/catalogue.h>
+#include <heed/dl/reasoner.h>
+#include <heed/job/scenario.h>
+#include <heed/owl/ontology.h>
+#include <heed/util/diagnostic.h>
+#include <heed/util/limits.h>
+
+#include <memory>
+#include <string>
+
+namespace heed::job {
+
+/// An ontology, understood: read, classified, and cut to its catalogue.
+struct Knowledge {
+  owl::Ontology ontology;
+  std::shared_ptr<const dl::Reasoner> reasoner;
+  awareness::Catalogue catalogue;
+  util::Diagnostics diagnostics;  ///< Of reading, classification and catalogue, in this order.
+};
+
+/// Loads the ontology with its imports, classifies it and builds the catalogue. \throws util::InputError,
+/// LimitExceeded
+[[nodiscard]] Knowledge load_knowledge(const KnowledgePart& part, const util::Limits& limits,
+                                       util::Budget& budget);
+
+/// The part for an ontology that comes without a scenario: roots and roles are read off its structure (a role
+/// named after actions or behaviours binds what is prescribed, every other role that describes the same
+/// classes binds features). Says in \p notes what it took. \throws util::InputError  nothing fits: the
+/// message asks for the roots.
+[[nodiscard]] KnowledgePart guess_knowledge(const std::string& path, const util::Limits& limits,
+                                            util::Budget& budget, util::Diagnostics& notes);
+
+/// \throws util::InputError "unsatisfiable-entity" when an entity can have no instance, saying which and why.
+void refuse_unsatisfiable(const Knowledge& knowledge, const KnowledgePart& part);
+
+}  // namespace heed::job

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <heed/job/controller.h>
+#include <heed/report/result.h>
+
+namespace heed::job {
+
+/// From the pipeline's values to the report's plain structs.
+[[nodiscard]] report::Ontology describe_ontology(const Scenario& scenario, const World& world,
+                                                 const std::vector<const Design*>& designs);
+[[nodiscard]] std::vector<report::KnowledgeFormula> describe_sigma(const World& world, const Design& design);
+[[nodiscard]] std::vector<report::SpecificationSection> describe_specification(const spec::Gr1& spec);
+[[nodiscard]] report::Controller describe_controller(const ControllerPart& part, const Design& design,
+                                                     const Synthesized& synthesized);
+[[nodiscard]] report::CatalogueEntry describe_entity(const Scenario& scenario, const World& world,
+                                                     std::size_t entity);
+[[nodiscard]] std::vector<std::string> describe_method(const Scenario& scenario, const World& world);
+[[nodiscard]] report::Number number(const sim::Rational& value);
+
+}  // namespace heed::job

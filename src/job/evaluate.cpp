@@ -1,0 +1,172 @@
+#include <heed/job/evaluate.h>
+#include <heed/spec/compose.h>
+#include <heed/util/diagnostic.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace heed::job {
+namespace {
+
+using awareness::PerceptionInput;
+
+/// A feature of a profile, as perception knows it: one value of one input, or an enumerated input as a whole.
+struct Wired {
+  std::size_t input;
+  const PerceptionInput::Meaning* meaning;  ///< nullptr: the input as a whole.
+};
+
+Wired find_wired(const sim::FeatureSpec& feature, const awareness::Perception& perception) {
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < perception.inputs.size(); ++i) {
+    const PerceptionInput& input = perception.inputs[i];
+    for (const PerceptionInput::Meaning& meaning : input.meanings) {
+      if (meaning.atom == feature.name) return {i, &meaning};
+      known.push_back(meaning.atom);
+    }
+    if (input.name == feature.name) return {i, nullptr};
+    known.push_back(input.name);
+  }
+  throw util::InputError(feature.location, "unknown-feature",
+                         fmt::format("perception reports nothing called '{}'", feature.name),
+                         util::suggestion(feature.name, known));
+}
+
+bool present(const PerceptionInput::Meaning& meaning, const awareness::Catalogue& catalogue,
+             std::size_t entity) {
+  if (meaning.feature) return catalogue.has_feature(entity, *meaning.feature) != nullptr;
+  return entity == *meaning.whole || catalogue.is_below(entity, *meaning.whole) != nullptr;
+}
+
+/// The value that \p thing shows on a feature of a profile; nothing when it does not have it.
+std::optional<std::int32_t> value_of(const Wired& wired, const World& world, Thing thing) {
+  if (!thing) return std::nullopt;
+  const awareness::Catalogue& catalogue = world.knowledge.catalogue;
+  if (wired.meaning != nullptr) {
+    if (!present(*wired.meaning, catalogue, *thing)) return std::nullopt;
+    return static_cast<std::int32_t>(wired.meaning->value);
+  }
+  for (const auto& described : catalogue.described(*thing, world.perception.perceivable))
+    for (const PerceptionInput::Meaning& meaning : world.perception.inputs[wired.input].meanings)
+      if (meaning.feature == described.index) return static_cast<std::int32_t>(meaning.value);
+  return std::nullopt;
+}
+
+std::uint32_t machine_input(const model::Mealy& machine, const std::string& name) {
+  for (std::uint32_t i = 0; i < machine.inputs.size(); ++i)
+    if (machine.inputs[i].name == name) return i;
+  throw util::InputError(util::Location{}, "foreign-controller",
+                         fmt::format("the controller '{}' has no input '{}'", machine.name, name),
+                         "it was synthesized for another scenario");
+}
+
+}  // namespace
+
+sim::Judge make_judge(const Scenario& scenario, const World& world, const model::Mealy& machine,
+                      bool never_apart) {
+  const EvaluatePart& part = *scenario.evaluate;
+  const auto expand = [&](const logic::Formula& formula) {
+    return spec::expand_plant(world.perception.over_inputs(formula), world.plant);
+  };
+  std::vector<logic::Formula> formulas{expand(part.event.formula)};
+  for (const OutcomePart& outcome : part.outcomes)
+    formulas.push_back(outcome.when ? expand(outcome.when->formula) : logic::truth(true));
+  const auto holds = hold_at_transitions(formulas, machine);
+  sim::Judge judge;
+  for (const OutcomePart& outcome : part.outcomes) judge.categories.push_back(outcome.label);
+  judge.never = static_cast<std::uint32_t>(part.rest);
+  if (never_apart) {
+    judge.never = static_cast<std::uint32_t>(judge.categories.size());
+    judge.categories.emplace_back("never");
+  }
+  judge.event.assign(machine.transitions.size(), sim::Judge::none);
+  for (std::size_t t = 0; t < machine.transitions.size(); ++t) {
+    if (!holds[0][t]) continue;
+    judge.event[t] = static_cast<std::uint32_t>(part.rest);
+    for (std::size_t o = 0; o < part.outcomes.size(); ++o)
+      if (part.outcomes[o].when && holds[o + 1][t]) {
+        judge.event[t] = static_cast<std::uint32_t>(o);
+        break;
+      }
+  }
+  return judge;
+}
+
+Approach approach(const ProfilePart& profile, const World& world, const model::Mealy& machine, Thing thing,
+                  util::Budget& budget) {
+  Approach made;
+  made.binding.blank.assign(machine.inputs.size(), 0);
+  std::vector<std::string> absent;
+  for (std::uint32_t f = 0; f < profile.spec.features.size(); ++f) {
+    const sim::FeatureSpec& feature = profile.spec.features[f];
+    const Wired wired = find_wired(feature, world.perception);
+    const auto value = value_of(wired, world, thing);
+    if (!value) absent.push_back(feature.name);
+    const std::uint32_t input = machine_input(machine, world.perception.inputs[wired.input].name);
+    // A false detection of what is not there shows the symbol's own value, or the first value of an input as
+    // a whole.
+    const std::int32_t false_value =
+        wired.meaning != nullptr ? static_cast<std::int32_t>(wired.meaning->value) : 1;
+    made.binding.wires.push_back({f, input, value.value_or(false_value)});
+  }
+  made.chain = sim::compile(sim::without(profile.spec, absent), budget);
+  return made;
+}
+
+std::string appearance(const ProfilePart& profile, const World& world, Thing thing) {
+  std::string text;
+  for (const sim::FeatureSpec& feature : profile.spec.features) {
+    const auto value = value_of(find_wired(feature, world.perception), world, thing);
+    text += value ? std::to_string(*value) : "-";
+    text += ' ';
+  }
+  return text;
+}
+
+Evaluation evaluate(const Scenario& scenario, const World& world, const ProfilePart& profile,
+                    const model::Mealy& machine, Thing thing, const EvaluateOptions& options,
+                    util::Budget& budget) {
+  const Approach way = approach(profile, world, machine, thing, budget);
+  const sim::Judge judge = make_judge(scenario, world, machine, options.never_apart);
+  const sim::Run run{way.chain, machine, way.binding, judge};
+  Evaluation evaluation;
+  evaluation.categories = judge.categories;
+  evaluation.exact = sim::exact_outcome(run, budget);
+  if (options.traces > 0) {
+    sim::SampleOptions sampling;
+    sampling.traces = options.traces;
+    sampling.seed = options.seed;
+    sampling.threads = options.threads;
+    evaluation.sampled = sim::Sampler(run, budget).sample(sampling, budget);
+  }
+  return evaluation;
+}
+
+std::vector<std::string> states_on_the_way(const World& world, const ProfilePart& profile,
+                                           const model::Mealy& machine, Thing thing, std::uint32_t cell) {
+  const auto column = std::find_if(machine.outputs.begin(), machine.outputs.end(),
+                                   [](const model::Output& o) { return o.role == model::OutputRole::Plant; });
+  if (column == machine.outputs.end()) return {};
+  const auto index = static_cast<std::size_t>(column - machine.outputs.begin());
+  const model::Valuation blank(machine.inputs.size(), 0);
+  model::Valuation full = blank;
+  for (const sim::FeatureSpec& feature : profile.spec.features) {
+    const Wired wired = find_wired(feature, world.perception);
+    if (const auto value = value_of(wired, world, thing))
+      full[machine_input(machine, world.perception.inputs[wired.input].name)] = *value;
+  }
+  std::vector<std::string> states;
+  std::uint32_t state = 0;
+  for (std::uint32_t step = 0; step <= profile.spec.cells; ++step) {
+    const auto letter =
+        machine.input_letter(step > cell ? full : blank);  // step 0 is the blank one before cell 0
+    const auto* row = letter ? machine.find(state, *letter) : nullptr;
+    if (row == nullptr) return {};
+    states.push_back(column->variable.domain.print(machine.output_letters[row->output][index]));
+    state = row->next;
+  }
+  return states;
+}
+
+}  // namespace heed::job

@@ -1,0 +1,296 @@
+#include "describe.h"
+#include "staging.h"
+
+#include <heed/job/evaluate.h>
+#include <heed/job/run.h>
+#include <heed/job/version.h>
+#include <heed/report/write.h>
+#include <heed/sim/statistics.h>
+#include <heed/spec/text.h>
+#include <heed/util/diagnostic.h>
+#include <heed/util/file.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <map>
+
+namespace heed::job {
+namespace {
+
+/// Wall time per stage, for the one place of the report that may differ from run to run.
+class Stages {
+ public:
+  Stages(report::Timings& timings, const util::Progress& progress) : timings_(timings), progress_(progress) {}
+  template <class Work>
+  auto operator()(const std::string& name, double done, Work work) {
+    if (progress_) progress_(name, done);
+    const auto start = std::chrono::steady_clock::now();
+    const auto note = [&] {
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      const auto same = std::find_if(timings_.stages.begin(), timings_.stages.end(),
+                                     [&](const auto& stage) { return stage.name == name; });
+      if (same == timings_.stages.end())
+        timings_.stages.push_back({name, seconds});
+      else
+        same->seconds += seconds;
+    };
+    auto result = work();
+    note();
+    return result;
+  }
+
+ private:
+  report::Timings& timings_;
+  const util::Progress& progress_;
+};
+
+/// One controller of the scenario on its way through the job.
+struct Candidate {
+  const ControllerPart* part;
+  Design design;
+  Synthesized done;
+  std::optional<model::Mealy> machine;  ///< Read back from disk.
+};
+
+class Job {
+ public:
+  Job(const Scenario& scenario, const RunOptions& options, util::Budget& budget)
+      : scenario_(scenario),
+        options_(options),
+        budget_(budget),
+        staging_(options.output),
+        stages_(result_.timings, options.progress) {}
+
+  report::RunResult run() {
+    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t cpu = std::clock();
+    world_ =
+        stages_("read and classify", 0, [&] { return load_world(scenario_, budget_.limits(), budget_); });
+    fill_frame();
+    for (const ControllerPart& part : scenario_.controllers) make_controller(part);
+    describe_knowledge();
+    if (scenario_.evaluate && !scenario_.profiles.empty()) evaluate_all();
+    result_.headline = report::headline_of(result_);
+    result_.timings.wall_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result_.timings.cpu_seconds = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
+    result_.timings.peak_bytes = util::peak_resident_bytes();
+    staging_.write("report.html", report::to_html(result_));
+    staging_.write("report.json", report::to_json(result_));
+    staging_.commit();
+    return std::move(result_);
+  }
+
+ private:
+  void fill_frame() {
+    result_.scenario = scenario_.name;
+    result_.description = scenario_.description;
+    result_.command = options_.command;
+    result_.inputs = {{"scenario", scenario_.path}, {"ontology", scenario_.knowledge.ontology.text}};
+    if (!scenario_.plant.path.empty()) result_.inputs.push_back({"plant", scenario_.plant.path});
+    result_.warnings = world_.knowledge.diagnostics;
+    for (const util::Diagnostic& note : world_.perception.notes) result_.warnings.push_back(note);
+    result_.method = describe_method(scenario_, world_);
+    result_.versions = {{"heed", version()}};
+    if (!scenario_.evaluate) return;
+    result_.thing = scenario_.evaluate->thing;
+    result_.miss_label = scenario_.evaluate->outcomes[scenario_.evaluate->miss].label;
+    result_.seed = options_.seed.value_or(scenario_.evaluate->seed);
+    result_.confidence = scenario_.evaluate->confidence;
+  }
+
+  [[nodiscard]] double progress_of(std::size_t controller) const {
+    return 0.1 + 0.5 * static_cast<double>(controller) / static_cast<double>(scenario_.controllers.size());
+  }
+
+  void make_controller(const ControllerPart& part) {
+    Candidate candidate{&part, {}, {}, std::nullopt};
+    const double progress = progress_of(candidates_.size());
+    candidate.design = stages_("compose", progress, [&] { return design(scenario_, world_, part); });
+    candidate.done = stages_("synthesize and verify " + part.name.text, progress, [&] {
+      return synthesize(candidate.design, scenario_.perception.on_violation, budget_);
+    });
+    report::Controller described = describe_controller(part, candidate.design, candidate.done);
+    staging_.write(part.name.text + ".gr1", spec::write_gr1(candidate.design.composed.spec));
+    if (described.verdict == report::Verdict::Verified) {
+      described.file = part.name.text + ".controller.json";
+      const std::string path =
+          staging_.write(described.file, model::write_mealy(*candidate.done.result.machine));
+      candidate.machine = model::read_mealy(util::read_file(path, budget_.limits()), budget_.limits());
+      candidate.done.result.machine.reset();
+    }
+    add_notes(candidate.design.recognition.notes);
+    add_notes(candidate.design.composed.notes);
+    result_.controllers.push_back(std::move(described));
+    candidates_.push_back(std::move(candidate));
+  }
+
+  /// Several controllers say the same of the same plant; once is enough.
+  void add_notes(const util::Diagnostics& notes) {
+    for (const util::Diagnostic& note : notes) {
+      const bool known = std::any_of(result_.warnings.begin(), result_.warnings.end(), [&](const auto& w) {
+        return w.code == note.code && w.message == note.message;
+      });
+      if (!known) result_.warnings.push_back(note);
+    }
+  }
+
+  /// The controller that the report is about: the last of the main comparison.
+  [[nodiscard]] const Candidate& subject() const {
+    for (auto it = candidates_.rbegin(); it != candidates_.rend(); ++it)
+      if (!it->part->beside && it->machine) return *it;
+    return candidates_.back();
+  }
+
+  void describe_knowledge() {
+    std::vector<const Design*> designs;
+    for (const Candidate& candidate : candidates_) designs.push_back(&candidate.design);
+    result_.ontology = describe_ontology(scenario_, world_, designs);
+    result_.knowledge = describe_sigma(world_, subject().design);
+    result_.specification = describe_specification(subject().design.composed.spec);
+    result_.subject = subject().part->name.text;
+  }
+
+  [[nodiscard]] std::size_t approached() const {
+    const awareness::Catalogue& catalogue = world_.knowledge.catalogue;
+    if (const auto& word = scenario_.evaluate->approached)
+      return catalogue.entity(awareness::Name(word->text, word->location));
+    for (const auto& recognised : subject().design.recognition.entities)
+      if (catalogue.entities[recognised.entity].is_leaf()) return recognised.entity;
+    return 0;
+  }
+
+  void evaluate_all() {
+    const std::size_t entity = approached();
+    for (const ProfilePart& profile : scenario_.profiles) {
+      result_.profiles.push_back({profile.spec.name, profile.title, profile.description});
+      for (const Candidate& candidate : candidates_)
+        if (candidate.machine)
+          result_.charts.push_back(
+              stages_("evaluate", 0.6, [&] { return chart(profile, candidate, entity); }));
+    }
+    stages_("drive past the catalogue", 0.8, [&] { return drive_past_everything(), 0; });
+    fill_speed(entity);
+  }
+
+  [[nodiscard]] report::Chart chart(const ProfilePart& profile, const Candidate& candidate,
+                                    std::size_t entity) {
+    EvaluateOptions how{options_.traces.value_or(scenario_.evaluate->traces), result_.seed, options_.threads,
+                        false};
+    const Evaluation found = evaluate(scenario_, world_, profile, *candidate.machine, entity, how, budget_);
+    report::Chart chart{profile.spec.name, candidate.part->name.text};
+    chart.traces = found.sampled.traces;
+    std::vector<double> probabilities;
+    for (std::size_t c = 0; c < found.categories.size(); ++c) {
+      report::Bar bar{found.categories[c], number(found.exact.probability[c])};
+      probabilities.push_back(bar.exact.value);
+      if (chart.traces > 0) {
+        bar.sampled = found.sampled.count[c];
+        const sim::Interval interval = sim::wilson(bar.sampled, chart.traces, result_.confidence);
+        bar.low = interval.low;
+        bar.high = interval.high;
+      }
+      chart.bars.push_back(std::move(bar));
+    }
+    if (chart.traces > 0) {
+      const sim::ChiSquare test = sim::chi_square(found.sampled.count, probabilities);
+      chart.chi_square = test.statistic;
+      chart.degrees_of_freedom = test.degrees;
+      chart.p_value = test.p_value;
+    }
+    note_violations(profile, candidate, found.exact);
+    return chart;
+  }
+
+  void note_violations(const ProfilePart& profile, const Candidate& candidate,
+                       const sim::ExactOutcome& exact) {
+    const auto note = [&](const sim::Rational& p, std::string_view what) {
+      if (p == 0) return;
+      result_.warnings.push_back(
+          {util::Severity::Warning,
+           profile.spec.location,
+           "assumption-broken",
+           fmt::format("under {} the assumptions of '{}' break with probability {}: {}", profile.spec.name,
+                       candidate.part->name.text, sim::decimal(p, 6), what),
+           "drop the assumption, or let perception latch",
+           {}});
+    };
+    note(exact.fallback, "the stated fallback answers");
+    note(exact.missing, "there is no answer, the run ends there");
+  }
+
+  /// The leaves of the catalogue, then the open road. Things that look alike are driven past once.
+  void drive_past_everything() {
+    const awareness::Catalogue& catalogue = world_.knowledge.catalogue;
+    std::map<std::string, Evaluation> known;
+    for (std::size_t e = 0; e < catalogue.entities.size(); ++e) {
+      if (!catalogue.entities[e].is_leaf() || !catalogue.entities[e].satisfiable) continue;
+      result_.catalogue.push_back(describe_entity(scenario_, world_, e));
+      drive_past(result_.catalogue.back(), e, known);
+    }
+    result_.catalogue.push_back({"", "the open road"});
+    drive_past(result_.catalogue.back(), std::nullopt, known);
+  }
+
+  void drive_past(report::CatalogueEntry& entry, Thing thing, std::map<std::string, Evaluation>& known) {
+    for (const ProfilePart& profile : scenario_.profiles)
+      for (const Candidate& candidate : candidates_) {
+        if (!candidate.machine) continue;
+        const std::string key =
+            profile.spec.name + '/' + candidate.part->name.text + '/' + appearance(profile, world_, thing);
+        auto found = known.find(key);
+        if (found == known.end()) {
+          const EvaluateOptions exact_only{0, 0, 1, true};
+          found = known
+                      .emplace(key, evaluate(scenario_, world_, profile, *candidate.machine, thing,
+                                             exact_only, budget_))
+                      .first;
+        }
+        entry.encounters.push_back(encounter(profile, candidate, entry, found->second.exact));
+      }
+  }
+
+  [[nodiscard]] report::Encounter encounter(const ProfilePart& profile, const Candidate& candidate,
+                                            const report::CatalogueEntry& entry,
+                                            const sim::ExactOutcome& exact) const {
+    const sim::Rational never = exact.probability.back();
+    const sim::Rational missed = exact.probability[scenario_.evaluate->miss] + never;
+    report::Encounter encounter{profile.spec.name, candidate.part->name.text, number(1 - missed)};
+    if (entry.prescribes_halt) encounter.miss = number(missed);
+    if (!entry.prescribes_halt && !entry.prescribes_give_way)
+      encounter.needless = number(1 - never - exact.undefined);
+    return encounter;
+  }
+
+  void fill_speed(std::size_t entity) {
+    const ProfilePart& profile = scenario_.profiles.front();
+    const std::uint32_t cells = profile.spec.cells;
+    result_.speed =
+        report::speed_picture(scenario_.evaluate->cell_metres, scenario_.evaluate->speed_kmh, cells - 1);
+    if (!subject().machine) return;
+    const model::Mealy& machine = *subject().machine;
+    result_.road = states_on_the_way(world_, profile, machine, std::nullopt, cells);
+    for (report::SpeedCurve& curve : result_.speed.curves)
+      curve.states = states_on_the_way(world_, profile, machine, entity, cells - 1 - curve.cells);
+  }
+
+  const Scenario& scenario_;
+  const RunOptions& options_;
+  util::Budget& budget_;
+  Staging staging_;
+  report::RunResult result_;
+  Stages stages_;
+  World world_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+report::RunResult run(const Scenario& scenario, const RunOptions& options, util::Budget& budget) {
+  return Job(scenario, options, budget).run();
+}
+
+}  // namespace heed::job

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace heed::job {
+
+/// A folder beside its target that takes files until all is well: commit() moves them over, the destructor
+/// removes what was not committed.
+class Staging {
+ public:
+  /// \throws util::InputError  the parent cannot be written.
+  explicit Staging(std::string target);
+  ~Staging();
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+
+  /// \returns the path where the file stands until commit().
+  std::string write(const std::string& name, std::string_view content);
+  void commit();
+
+ private:
+  std::string target_, folder_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace heed::job
