@@ -12,7 +12,7 @@
 namespace heed::sim {
 namespace {
 
-constexpr std::size_t most_shuffled = 20;
+constexpr std::size_t most_shuffled = 18;
 
 std::uint64_t bit(std::size_t feature) {
   return std::uint64_t{1} << feature;
@@ -41,9 +41,10 @@ void merge(std::vector<Branch>& branches) {
   branches.resize(kept);
 }
 
-[[noreturn]] void too_large(const std::string& profile, const std::string& what) {
+[[noreturn]] void too_large(const std::string& profile) {
   throw util::LimitExceeded(util::LimitExceeded::Kind::Size,
-                            "the chain of profile '" + profile + "' has more than " + what);
+                            "in one cell of profile '" + profile +
+                                "' more than 2^18 things may happen; let features depend less on chance");
 }
 
 }  // namespace
@@ -116,7 +117,7 @@ void CellUnfolder::draw_shuffle(const DrawUnit& unit, std::uint32_t cell, std::v
     std::vector<std::uint32_t> waiting;
     for (const std::uint32_t f : unit.features)
       if (branch.knowledge.onset[f] == Knowledge::later) waiting.push_back(f);
-    if (waiting.size() > most_shuffled) too_large(model_.spec.name, "2^20 transitions");
+    if (waiting.size() > most_shuffled) too_large(model_.spec.name);
     const auto dealt = static_cast<std::size_t>(
         std::count_if(slots->begin(), slots->end(), [&](std::int64_t at) { return at < cell; }));
     const auto now = static_cast<std::size_t>(std::count(slots->begin(), slots->end(), cell));
@@ -178,7 +179,7 @@ void CellUnfolder::draw_shuffle_ahead(const DrawUnit& unit, std::vector<Branch>&
           given.slots.erase(given.slots.begin() + static_cast<std::ptrdiff_t>(i));
           next.push_back(std::move(given));
         }
-        if (next.size() > chain_step_limit) too_large(model_.spec.name, "2^20 transitions");
+        if (next.size() > chain_branch_limit) too_large(model_.spec.name);
       }
       hands = std::move(next);
     }
@@ -222,7 +223,7 @@ void CellUnfolder::forget(std::uint32_t cell, Knowledge& knowledge) const {
 }
 
 void CellUnfolder::grow(std::vector<Branch>& branches, Branch branch) {
-  if (branches.size() >= chain_step_limit) too_large(model_.spec.name, "2^20 transitions");
+  if (branches.size() >= chain_branch_limit) too_large(model_.spec.name);
   if (branches.size() % 256 == 0) budget_.check();
   branches.push_back(std::move(branch));
 }

@@ -66,13 +66,13 @@ struct Letters {
 struct Walker {
   std::uint32_t chain = 0;  ///< Row of the draw table.
   std::uint32_t machine = 0;
-  std::uint32_t category = Judge::none;
-  std::uint32_t flags = 0;
+  std::uint32_t event = 0;  ///< As in StepTable::Row: the first category, all flags.
 
+  // Without a branch: whether the event comes now is what cannot be predicted.
   void take(const StepTable::Row& row) {
+    const std::uint32_t open = (event & StepTable::category) == 0 ? StepTable::category : 0;
     machine = row.next;
-    flags |= row.flags;
-    category = category == Judge::none ? row.category : category;
+    event |= row.event & (open | StepTable::fallback | StepTable::missing);
   }
 };
 
@@ -138,30 +138,35 @@ struct Sampler::Tables {
     return group;
   }
 
+  /// \param outcome  With category + 1 as index, 0 for a run without one.
   void count(const Walker& walker, SampleOutcome& outcome) const {
-    ++outcome.traces;
-    if (walker.flags != 0) [[unlikely]] {
-      outcome.fallback += (walker.flags & StepTable::fallback) != 0;
-      outcome.missing += (walker.flags & StepTable::missing) != 0;
-      if ((walker.flags & StepTable::missing) != 0 && walker.category == Judge::none) {
+    const std::uint32_t category = walker.event & StepTable::category;
+    if (walker.event != category) [[unlikely]] {
+      const bool missing = (walker.event & StepTable::missing) != 0;
+      outcome.fallback += (walker.event & StepTable::fallback) != 0;
+      outcome.missing += missing;
+      if (missing && category == 0) {
         ++outcome.undefined;
         return;
       }
     }
-    ++outcome.count[walker.category == Judge::none ? never : walker.category];
+    ++outcome.count[category];
   }
 
   /// Traces first ... end-1. \param go_on  Asked now and then.
   template <typename GoOn>
   SampleOutcome run(std::uint64_t seed, std::uint64_t begin, std::uint64_t end, const GoOn& go_on) const {
     SampleOutcome outcome;
-    outcome.count.resize(categories);
+    outcome.count.resize(categories + 1);
     for (std::uint64_t trace = begin, group = 0; trace < end && (group % 256 != 0 || go_on());
          trace += lanes, ++group) {
       const Group walkers = walk(seed, trace);
       const std::size_t used = std::min<std::uint64_t>(lanes, end - trace);
       for (std::size_t lane = 0; lane < used; ++lane) count(walkers[lane], outcome);
     }
+    outcome.count[never + 1] += outcome.count[0];
+    outcome.count.erase(outcome.count.begin());
+    outcome.traces = end - begin;
     return outcome;
   }
 

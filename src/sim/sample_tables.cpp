@@ -55,7 +55,7 @@ StepTable::StepTable(const Run& run, std::span<const std::uint32_t> letters, uti
     throw util::LimitExceeded(util::LimitExceeded::Kind::Size, "machine and profile are too large to sample");
   budget.reserve(size * sizeof(Row));
   const auto end = static_cast<std::uint32_t>(run.machine.state_count() * letters.size());
-  rows.resize(size, Row{end, Judge::none, 0});
+  rows.resize(size, Row{end, 0});
   std::vector<std::pair<std::uint32_t, std::uint32_t>> wanted;
   for (std::uint32_t i = 0; i < letters.size(); ++i) wanted.emplace_back(letters[i], i);
   std::sort(wanted.begin(), wanted.end());
@@ -64,10 +64,11 @@ StepTable::StepTable(const Run& run, std::span<const std::uint32_t> letters, uti
     for (const auto& [letter, index] : wanted) {
       Row& row = rows[state * letters.size() + index];
       const auto* found = letter == Judge::none ? nullptr : run.machine.find(state, letter);
-      row.flags = !found ? missing : found->fallback ? fallback : 0;
+      row.event = !found ? missing : found->fallback ? fallback : 0;
       if (!found) continue;
       row.next = static_cast<std::uint32_t>(found->next * letters.size());
-      row.category = run.judge.event[static_cast<std::size_t>(found - run.machine.transitions.data())];
+      const auto transition = static_cast<std::size_t>(found - run.machine.transitions.data());
+      if (run.judge.event[transition] != Judge::none) row.event |= run.judge.event[transition] + 1;
     }
   }
 }

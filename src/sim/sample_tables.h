@@ -13,7 +13,7 @@ namespace heed::sim {
 /// The chain as draws: what a random word decides in a state.
 class DrawTable {
  public:
-  static constexpr unsigned slot_bits = 6;
+  static constexpr unsigned slot_bits = 8;
   static constexpr std::uint32_t slots = 1U << slot_bits;
   static constexpr std::uint32_t undecided = UINT32_MAX;
 
@@ -58,11 +58,10 @@ class DrawTable {
 /// The machine as rows [state][letter] over the letters that the chain can produce; one state more, where
 /// runs end that met a missing row.
 struct StepTable {
-  static constexpr std::uint8_t fallback = 1, missing = 2;
+  static constexpr std::uint32_t fallback = 1U << 31, missing = 1U << 30, category = missing - 1;
   struct Row {
-    std::uint32_t next = 0;  ///< state * letters
-    std::uint32_t category = Judge::none;
-    std::uint32_t flags = 0;
+    std::uint32_t next = 0;   ///< state * letters
+    std::uint32_t event = 0;  ///< Category + 1, 0 for none; and flags.
   };
   /// \param letters  The machine's letter for each of ours; `Judge::none` for one that it does not know.
   StepTable(const Run& run, std::span<const std::uint32_t> letters, util::Budget& budget);

@@ -143,8 +143,10 @@ struct Chain {
   }
 };
 
-/// Most transitions, or branches of one cell, that compile() unfolds before it gives up; that takes some 300 MB.
+/// Most transitions of a chain, and most branches of one cell, that compile() unfolds before it gives up;
+/// that takes some 300 MB.
 inline constexpr std::size_t chain_step_limit = std::size_t{1} << 20;
+inline constexpr std::size_t chain_branch_limit = std::size_t{1} << 18;
 
 /// Turns the profile into its chain. Within a cell a feature is drawn after those that its rule refers to, so
 /// `from = "sign"` may be met in the very cell of the sign. Where a rule looks ahead (`at = "sign - 1"`),
@@ -153,7 +155,7 @@ inline constexpr std::size_t chain_step_limit = std::size_t{1} << 20;
 /// remembered. \throws util::InputError `unknown-feature`, `duplicate-feature`, `too-many-features` (64),
 /// `cyclic-onsets`,
 ///   `probability-range`, `probability-sum`, `empty-range`, `bad-shuffle`, `bad-cells`.
-/// \throws util::LimitExceeded  Size: more than chain_step_limit transitions; or the budget's own limits.
+/// \throws util::LimitExceeded  Size: beyond the two limits above; or the budget's own limits.
 [[nodiscard]] Chain compile(const ProfileSpec& profile, util::Budget& budget);
 
 }  // namespace heed::sim
