@@ -4,10 +4,7 @@
 
 namespace heed::bdd {
 
-Edge conjoin(Kernel& kernel, Edge f, Edge g) {
-  if (f > g) std::swap(f, g);
-  if (f <= 1) return f == true_edge ? g : false_edge;
-  if ((f ^ g) <= 1) return f == g ? f : false_edge;
+Edge conjoin_nodes(Kernel& kernel, Edge f, Edge g) {
   Edge result = 0;
   if (kernel.cache.find(Binary::And, f, g, result)) return result;
   kernel.step();

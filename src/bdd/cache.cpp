@@ -16,21 +16,23 @@ void ComputedCache::clear() {
   std::fill(sets_.begin(), sets_.end(), Set{});
 }
 
-bool ComputedCache::survives(const Entry& entry, const std::vector<std::uint64_t>& marked) {
-  const auto lives = [&](std::uint32_t edge) {
-    const std::uint32_t index = (edge & operand_mask) >> 1;
-    return ((marked[index >> 6] >> (index & 63U)) & 1U) != 0;
-  };
-  if (!lives(entry.f) || !lives(entry.result)) return false;
-  // A composition's second operand is the number of its substitution, whose functions may be gone.
-  if (entry.h == code(Binary::Compose)) return false;
-  return lives(entry.g) && (entry.h >= binary_mark || lives(entry.h));
-}
-
 void ComputedCache::sweep(const std::vector<std::uint64_t>& marked) {
+  const std::uint64_t* const marks = marked.data();
+  const auto lives = [marks](std::uint32_t edge) {
+    const std::uint32_t index = (edge & operand_mask) >> 1;
+    return ((marks[index >> 6] >> (index & 63U)) & 1U) != 0;
+  };
+  const auto clean = [&](Entry& entry) {
+    if (entry.f == 0 && entry.g == 0) return;
+    // A composition's second operand is the number of its substitution, whose functions may be gone.
+    if (lives(entry.result) && lives(entry.f) && entry.h != code(Binary::Compose) && lives(entry.g) &&
+        (entry.h >= binary_mark || lives(entry.h)))
+      return;
+    entry = {};
+  };
   for (Set& place : sets_) {
-    if (!survives(place.newer, marked)) place.newer = {};
-    if (!survives(place.older, marked)) place.older = {};
+    clean(place.newer);
+    clean(place.older);
   }
 }
 

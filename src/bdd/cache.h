@@ -64,8 +64,7 @@ class ComputedCache {
     return entry.f == f && entry.g == g && entry.h == h;
   }
   [[nodiscard]] Set& set(std::uint32_t f, std::uint32_t g, std::uint32_t h) {
-    const std::uint64_t key = scatter(children(f, g) + scatter(h));
-    return sets_[(key ^ (key << 21)) >> shift_];
+    return sets_[scatter(children(f, g) + scatter(h)) >> shift_];
   }
   bool find(std::uint32_t f, std::uint32_t g, std::uint32_t h, Edge& result) {
     Set& place = set(f, g, h);
@@ -82,7 +81,6 @@ class ComputedCache {
     place.older = place.newer;
     place.newer = {f, g, h, result};
   }
-  static bool survives(const Entry& entry, const std::vector<std::uint64_t>& marked);
 
   std::vector<Set> sets_;
   unsigned shift_;

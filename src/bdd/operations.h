@@ -1,12 +1,21 @@
 #pragma once
 
+#include <utility>
+
 #include "kernel.h"
 
 /// The recursions over diagrams. Operands must be protected by the caller, results are not. Depth is bounded
 /// by the number of variables (twice that where one recursion calls another).
 namespace heed::bdd {
 
-Edge conjoin(Kernel& kernel, Edge f, Edge g);
+/// The conjunction of two edges of different nodes that are not constant. \pre f < g
+Edge conjoin_nodes(Kernel& kernel, Edge f, Edge g);
+inline Edge conjoin(Kernel& kernel, Edge f, Edge g) {
+  if (f > g) std::swap(f, g);
+  if (f <= 1) return f == true_edge ? g : false_edge;
+  if ((f ^ g) <= 1) return f == g ? f : false_edge;
+  return conjoin_nodes(kernel, f, g);
+}
 inline Edge disjoin(Kernel& kernel, Edge f, Edge g) {
   return conjoin(kernel, f ^ 1U, g ^ 1U) ^ 1U;
 }
@@ -40,9 +49,10 @@ struct Cofactors {
   Edge low, high;
 };
 inline Cofactors cofactors(const Kernel& kernel, Edge edge, bool on_top) {
-  if (!on_top) return {edge, edge};
+  // Both are read and one is chosen without a branch: which operand is on top is unpredictable.
   const Node& node = kernel.node(edge);
-  return {node.low ^ (edge & 1U), node.high ^ (edge & 1U)};
+  const Edge low = node.low ^ (edge & 1U), high = node.high ^ (edge & 1U);
+  return {on_top ? low : edge, on_top ? high : edge};
 }
 
 }  // namespace heed::bdd

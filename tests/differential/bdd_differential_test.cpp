@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <set>
 #include <vector>
 
 /// heed's diagrams beside BuDDy's: the same random operations on both, over more variables than a truth table
@@ -102,7 +103,6 @@ class Duel {
   }
 
   void compare() {
-    std::vector<int> support(variables, 0);
     for (const Both& value : values_) {
       EXPECT_DOUBLE_EQ(value.ours.count(variables), bdd_satcount(value.theirs));
       EXPECT_EQ(value.ours.support_variables(), their_support(value.theirs));
@@ -151,11 +151,20 @@ class Duel {
     target = {f.ours.and_exists_next(g.ours.exists(manager_.cube(ours)), cube.ours),
               bdd_appex(f.theirs, moved, bddop_and, cube.theirs)};
   }
+  /// Walked here: BuDDy's own bdd_support keeps a static table that does not survive a second bdd_init.
   static std::vector<Var> their_support(const ::bdd& f) {
-    std::vector<Var> found;
-    for (::bdd rest = bdd_support(f); rest != bddtrue; rest = bdd_high(rest))
-      found.push_back(static_cast<Var>(bdd_var(rest)));
-    return found;
+    std::set<int> seen;
+    std::set<Var> found;
+    std::vector<::bdd> open = {f};
+    while (!open.empty()) {
+      const ::bdd here = open.back();
+      open.pop_back();
+      if (here == bddtrue || here == bddfalse || !seen.insert(here.id()).second) continue;
+      found.insert(static_cast<Var>(bdd_var(here)));
+      open.push_back(bdd_low(here));
+      open.push_back(bdd_high(here));
+    }
+    return {found.begin(), found.end()};
   }
   void compare_at_a_point(const Both& value) {
     std::vector<bool> point;
