@@ -9,7 +9,7 @@
 
 namespace heed::logic {
 
-/// Reads one formula in heed's LTL (docs/formats.md). Iterative: nesting is bounded by `limits.nesting`, not by the stack.
+/// Reads one formula in heed's LTL (docs/formats/ltl.md). Iterative: nesting is bounded by `limits.nesting`, not by the stack.
 /// \throws util::InputError  with the position, what was expected and a caret.
 [[nodiscard]] Formula parse(const util::SourceText& source, const util::Limits& limits = {});
 

@@ -33,7 +33,7 @@ struct Fts {
   [[nodiscard]] bool deterministic() const;
 };
 
-/// Reads `.fts` (docs/formats.md). \throws util::InputError  syntax; a state that is not listed; a state without outgoing
+/// Reads `.fts` (docs/formats/fts.md). \throws util::InputError  syntax; a state that is not listed; a state without outgoing
 /// transition ("dead end"); two `initial:` lines; a label or value for an unknown state; a state without a value.
 [[nodiscard]] Fts read_fts(const util::SourceText& source, const util::Limits& limits = {});
 
