@@ -99,9 +99,9 @@ void write_rows(Markup& page, const RunResult& result, const std::vector<Column>
     {
       const auto name = page.scope("th", {{"scope", "row"}});
       page.text(label_of(entry));
-      if (!entry.features.empty()) page.element("span", join(entry.features, ", "), {{"class", "what"}});
-      if (!entry.behaviours.empty())
-        page.element("span", "→ " + join(entry.behaviours, ", "), {{"class", "what"}});
+      std::string what = join(entry.features, ", ");
+      if (!entry.behaviours.empty()) what += " → " + join(entry.behaviours, ", ");
+      if (!what.empty()) page.element("span", what, {{"class", "what"}});
     }
     page.element("td", what_counts(entry), {{"class", "other"}});
     for (const Column& column : columns) write_cell(page, entry, i, column);

@@ -171,8 +171,15 @@ constexpr std::string_view print = R"css(
   tr, .card, .warning { break-inside: avoid; }
   thead { display: table-header-group; }
   .scroll { overflow: visible; }
-  .errors { font-size: .78rem; }
-  .errors th, .errors td { padding: .3em .35em; }
+  .scroll table { min-width: 100%; }
+  .errors { font-size: .68rem; }
+  .errors th, .errors td { padding: .3em .25em; }
+  .errors thead th.n { font-size: .6rem; min-width: 0; }
+  .errors tbody th[scope=row] { min-width: 7rem; max-width: 11rem; position: static; }
+  .errors .what { font-size: .6rem; }
+  .exact { font-size: .7rem; }
+  .cards { grid-template-columns: repeat(3, 1fr); gap: .8rem; }
+  .pairs { grid-template-columns: 1fr; row-gap: 1rem; }
   .charts { grid-template-columns: repeat(2, 1fr); }
   details::details-content { content-visibility: visible; block-size: auto; }
   a { text-decoration: none; }

@@ -97,17 +97,18 @@ void Writer::controllers() {
                    {"check"},
                    {"states", Align::Right},
                    {"before", Align::Right},
-                   {"transitions", Align::Right},
-                   {"recognises when", Align::Left, 60}});
+                   {"transitions", Align::Right}});
   for (const Controller& controller : result_.controllers) {
     const bool built = controller.verdict != Verdict::Unrealizable;
     table.add({title_of(controller), verdict_word(controller.verdict),
                built ? grouped(controller.states) : "",
                built ? grouped(controller.states_before_minimisation) : "",
-               built ? grouped(controller.transitions) : "", controller.policy});
+               built ? grouped(controller.transitions) : ""});
   }
   text_ += table.render(width_);
   for (const Controller& controller : result_.controllers) {
+    if (!controller.policy.empty())
+      item(fmt::format("{}: recognises when {}", title_of(controller), controller.policy));
     for (const std::string& note : controller.notes) item(fmt::format("{}: {}", title_of(controller), note));
     for (const std::string& reason : controller.reasons)
       item(fmt::format("{}: {}", title_of(controller), reason));

@@ -195,12 +195,30 @@ async function readAsXml(browser, file, check) {
   await context.close();
 }
 
+/** A4 less its margins; folded lists unfold on paper, and dark readers print on white. */
+async function lookAtPrint(browser, html, check) {
+  const context = await browser.newContext({ viewport: { width: 680, height: 980 }, colorScheme: 'dark' });
+  const page = await context.newPage();
+  await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
+  await page.goto(html, { waitUntil: 'load' });
+  await page.evaluate(() => document.querySelectorAll('details').forEach((fold) => { fold.open = false; }));
+  check('print: no overflow', await page.evaluate(() => {
+    const [found, room] = [document.documentElement.scrollWidth, document.documentElement.clientWidth];
+    return found > room ? [`page is ${found} wide, paper ${room}`] : [];
+  }));
+  check('print: nothing is folded', await page.evaluate(() =>
+    [...document.querySelectorAll('details > .list')].filter((list) => list.getBoundingClientRect().height === 0).map((list) => list.textContent)));
+  check('print: contrast', await page.evaluate(findContrast));
+  await context.close();
+}
+
 /** All checks of one page in the given views, as {name, problems}. */
 export async function inspect(browser, file, json, views = VIEWS) {
   const results = [];
   const check = (name, problems) => results.push({ name, problems });
   const html = pathToFileURL(path.resolve(file)).href;
   for (const view of views) await look(browser, html, json, view, check);
+  await lookAtPrint(browser, html, check);
   await readAsXml(browser, file, check);
   return results;
 }
