@@ -1,0 +1,93 @@
+#include <heed/dl/justifier.h>
+
+#include "question.h"
+#include "saturation.h"
+
+#include <algorithm>
+#include <functional>
+
+// The saturation notes for each conclusion the premises of its first derivation. Following them back from an answer gives
+// a set of axioms that suffices and is small, mostly minimal already. Then axioms are taken out, in ever smaller chunks and
+// at last one by one; what must stay stays. Following all derivations instead would give all justifications, which nobody
+// here needs and which may be exponentially many.
+
+namespace heed::dl {
+
+namespace {
+
+using Ask = std::function<bool(Question&)>;
+
+/// A theory of some of the axioms, saturated as far as individuals reach.
+struct Part {
+  Part(const owl::Ontology& ontology, const std::vector<owl::AxiomId>* ids, util::Budget& budget, bool trace)
+      : theory(ontology, ids), base(theory, budget, trace) {
+    base.nonempty_context(top);
+    for (const Concept individual : theory.individuals()) base.nonempty_context(individual);
+    base.run();
+  }
+  Theory theory;
+  Saturation base;
+};
+
+}  // namespace
+
+class Justifier::Impl {
+ public:
+  Impl(owl::Ontology given, util::Budget& limits) : ontology(std::move(given)), budget(limits) {}
+
+  std::optional<std::vector<owl::AxiomId>> justify(const Ask& ask) {
+    if (!whole) whole = std::make_unique<Part>(ontology, nullptr, budget, true);
+    Question question(whole->base, budget);
+    if (!ask(question)) return std::nullopt;
+    std::vector<owl::AxiomId> kept = question.axioms();
+    for (std::size_t chunk = std::max<std::size_t>(kept.size() / 4, 1);; chunk = std::max<std::size_t>(chunk / 2, 1)) {
+      contract(kept, chunk, ask);
+      if (chunk == 1) return kept;
+    }
+  }
+
+ private:
+  /// Takes out every run of \p chunk axioms without which the answer stays the same.
+  void contract(std::vector<owl::AxiomId>& kept, std::size_t chunk, const Ask& ask) {
+    for (std::size_t at = 0; at < kept.size();) {
+      const std::size_t end = std::min(at + chunk, kept.size());
+      std::vector<owl::AxiomId> fewer(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(at));
+      fewer.insert(fewer.end(), kept.begin() + static_cast<std::ptrdiff_t>(end), kept.end());
+      Part part(ontology, &fewer, budget, false);
+      Question question(part.base, budget);
+      if (ask(question))
+        kept = std::move(fewer);
+      else
+        at = end;
+    }
+  }
+
+  owl::Ontology ontology;
+  util::Budget& budget;
+  std::unique_ptr<Part> whole;
+};
+
+Justifier::Justifier(owl::Ontology ontology, util::Budget& budget)
+    : impl_(std::make_unique<Impl>(std::move(ontology), budget)) {}
+Justifier::~Justifier() = default;
+Justifier::Justifier(Justifier&&) noexcept = default;
+Justifier& Justifier::operator=(Justifier&&) noexcept = default;
+
+std::optional<std::vector<owl::AxiomId>> Justifier::subsumption(const owl::ClassExpression& sub,
+                                                                const owl::ClassExpression& super) {
+  return impl_->justify([&](Question& question) { return question.subsumption(sub, super); });
+}
+
+std::optional<std::vector<owl::AxiomId>> Justifier::unsatisfiable(const owl::ClassExpression& expression) {
+  return impl_->justify([&](Question& question) { return !question.satisfiable(expression); });
+}
+
+std::optional<std::vector<owl::AxiomId>> Justifier::type(owl::Iri individual, const owl::ClassExpression& of) {
+  return impl_->justify([&](Question& question) { return question.type(individual, of); });
+}
+
+std::optional<std::vector<owl::AxiomId>> Justifier::inconsistent() {
+  return impl_->justify([&](Question& question) { return !question.satisfiable(owl::ClassExpression::thing()); });
+}
+
+}  // namespace heed::dl
