@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace heed::game {
 namespace {
@@ -17,6 +19,13 @@ bool has_next(const logic::Formula& formula) {
   const auto nodes = logic::postorder(formula);
   return std::any_of(nodes.begin(), nodes.end(),
                      [](const auto& node) { return node.op() == logic::Op::Next; });
+}
+
+bool mentions(const logic::Formula& formula, const std::set<std::string>& names) {
+  const auto nodes = logic::postorder(formula);
+  return std::any_of(nodes.begin(), nodes.end(), [&](const auto& node) {
+    return node.op() == logic::Op::Name && names.count(node.name()) != 0;
+  });
 }
 
 std::size_t bits_for(const model::Domain& domain) {
@@ -152,13 +161,23 @@ class Builder {
            i});
   }
 
+  /// Outputs, and what is defined by them.
+  [[nodiscard]] std::set<std::string> answer_names() const {
+    std::set<std::string> names;
+    for (const auto& output : game_.spec->outputs) names.insert(output.variable.name);
+    for (const auto& definition : game_.spec->definitions)
+      if (mentions(definition.formula, names)) names.insert(definition.name);
+    return names;
+  }
+
   void environment() {
+    const std::set<std::string> answers = answer_names();
     game_.env_safety = ranges(Owner::Input).next();
     for (const auto& clause : game_.spec->env_safety) {
       const Bdd holds =
           restricted(clause.formula, {{Owner::Output, true}}, "an assumption on the environment's steps",
                      "current values and primed inputs");
-      if (has_next(clause.formula) || meets(holds, game_.bits(Owner::Output, false))) {
+      if (has_next(clause.formula) || mentions(clause.formula, answers)) {
         game_.env_safety &= holds;
       } else {
         game_.env_initial &= holds;
@@ -261,6 +280,7 @@ bdd::Bdd Game::initial_inputs() const {
 }
 
 Game build_game(const spec::Gr1& spec, util::Budget& budget) {
+  spec::validate(spec);
   return Builder(spec, budget).build();
 }
 

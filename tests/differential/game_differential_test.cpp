@@ -1,6 +1,7 @@
 #include "game_random.h"
 #include "game_reference.h"
 
+#include <heed/check/verify.h>
 #include <heed/spec/text.h>
 #include <heed/strategy/synthesize.h>
 
@@ -39,6 +40,11 @@ void compare(std::uint64_t seed, Counts& counts) {
   }
   ASSERT_TRUE(result.machine) << "seed " << seed;
   counts.waiting += result.relies_on_broken_justice ? 1 : 0;
+  const check::Verdict verdict = check::verify(*result.machine, spec, budget);
+  EXPECT_TRUE(verdict.verified) << "seed " << seed << ": "
+                                << (verdict.refutations.empty() ? "" : verdict.refutations.front().message)
+                                << "\n"
+                                << spec::write_gr1(spec);
   EXPECT_EQ(reference::fault(*result.machine, rules), "") << "seed " << seed << "\n" << spec::write_gr1(spec);
 }
 

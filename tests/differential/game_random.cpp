@@ -23,6 +23,7 @@ class Maker {
 
   spec::Gr1 make() {
     declare();
+    plant_choice_ = chance(4);
     const std::vector<model::Variable> all = joined({&inputs_, &outputs_, &memories_});
     add_definitions(all);
     add_memories(all);
@@ -30,8 +31,10 @@ class Maker {
     const Scope steps{all, all, names_, true};
     const Scope environment{all, inputs_, names_, false};
     clauses(spec_.env_init, {inputs_, {}, {}, false}, random_.below(2));
-    clauses(spec_.env_safety, chance(2) ? environment : Scope{joined({&inputs_, &memories_}), {}, {}, false},
-            random_.below(3));
+    if (!plant_choice_)
+      clauses(spec_.env_safety,
+              chance(2) ? environment : Scope{joined({&inputs_, &memories_}), {}, {}, false},
+              random_.below(3));
     clauses(spec_.env_justice, chance(2) ? steps : present, random_.below(3));
     clauses(spec_.sys_init, present, random_.below(2));
     clauses(spec_.sys_safety, steps, random_.below(3));
@@ -85,7 +88,10 @@ class Maker {
     for (const auto& variable : memories_) {
       spec::Memory memory{variable, {}, {}, {}};
       memory.initial = {variable.domain.low};
-      if (chance(3)) memory.initial.push_back(variable.domain.high);
+      if (plant_choice_) {
+        memory.role = model::OutputRole::Plant;
+        memory.initial.push_back(variable.domain.high);
+      }
       if (variable.domain.kind == model::Domain::Kind::Boolean)
         memory.update = formula(scope, 2);
       else
@@ -151,6 +157,8 @@ class Maker {
   spec::Gr1 spec_;
   std::vector<model::Variable> inputs_, outputs_, memories_;
   std::vector<std::string> names_;
+  /// Plants whose initial state the system chooses; then no assumption speaks of that choice.
+  bool plant_choice_ = false;
 };
 
 }  // namespace

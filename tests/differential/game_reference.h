@@ -55,7 +55,7 @@ class Rules {
 
  private:
   [[nodiscard]] bool environment_keeps(const Values& state) const;
-  [[nodiscard]] bool judged_by_answers(const spec::Clause& clause) const;
+  [[nodiscard]] bool mentions_outputs(const logic::Formula& formula) const;
 
   const spec::Gr1& spec_;
   Evaluator evaluator_;

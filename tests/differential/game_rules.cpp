@@ -50,21 +50,18 @@ Rules::Rules(const spec::Gr1& spec) : spec_(spec), evaluator_(spec) {
   outputs_ = all_values(outputs);
   memories_ = all_values(memories);
   for (const auto& clause : spec.env_safety)
-    (has_next(clause.formula) || judged_by_answers(clause) ? steps_ : always_).push_back(clause);
+    (has_next(clause.formula) || mentions_outputs(clause.formula) ? steps_ : always_).push_back(clause);
 }
 
-/// Whether outputs can make a difference to the clause.
-bool Rules::judged_by_answers(const spec::Clause& clause) const {
-  Choices memories;
-  for (const auto& m : spec_.memories) memories.emplace_back(m.variable.name, codes(m.variable.domain));
-  const auto holds = [&](const Values& x, const Values& m, const Values& y) {
-    return evaluator_.holds(clause.formula, joined(joined(x, m), y));
-  };
-  for (const Values& m : all_values(memories))
-    for (const Values& x : inputs_)
-      for (const Values& y : outputs_)
-        if (holds(x, m, y) != holds(x, m, outputs_.front())) return true;
-  return false;
+bool Rules::mentions_outputs(const logic::Formula& formula) const {
+  if (formula.op() == logic::Op::Name) {
+    for (const auto& output : spec_.outputs)
+      if (output.variable.name == formula.name()) return true;
+    for (const auto& definition : spec_.definitions)
+      if (definition.name == formula.name()) return mentions_outputs(definition.formula);
+  }
+  return std::any_of(formula.operands().begin(), formula.operands().end(),
+                     [this](const auto& f) { return mentions_outputs(f); });
 }
 
 bool Rules::environment_keeps(const Values& state) const {

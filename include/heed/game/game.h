@@ -39,9 +39,9 @@ struct Justice {
 /// and memories. Definitions are substituted away. A copy shares the manager; it is cheap.
 ///
 /// How the table of spec::Gr1 is read where it leaves room:
-/// - A clause of env_safety without Next that depends on inputs and memories alone holds for X at the first
+/// - A clause of env_safety without Next that speaks of inputs and memories alone holds for X at the first
 /// step and for
-///   X' at every later one. One that depends on outputs can only be judged after the system's answer: where
+///   X' at every later one. One that mentions outputs can only be judged after the system's answer: where
 ///   the current state breaks it, the environment has no legal move and has lost.
 /// - At the first step an input is legal when some initial value of the memories makes it so; the system then
 /// chooses an
