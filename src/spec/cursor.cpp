@@ -3,6 +3,8 @@
 #include <heed/logic/parse.h>
 #include <heed/util/diagnostic.h>
 
+#include "words.h"
+
 #include <fmt/format.h>
 
 #include <charconv>
@@ -69,11 +71,9 @@ std::string Cursor::name(const std::string& what) {
   const std::string text(rest().substr(0, length));
   if (length == 0)
     fail("syntax", fmt::format("expected {}", what), "a name starts with a letter or _, or is quoted");
-  const util::SourceText only(source_.name(), text, location().line, location().column);
-  const logic::Formula read = logic::parse(only, limits_);
-  if (read.op() != logic::Op::Name)
-    fail("syntax", fmt::format("expected {}", what),
-         fmt::format("'{0}' is reserved: quote it, \"{0}\"", text));
+  if (quoted_name(text) != text)
+    fail("syntax", fmt::format("'{}' cannot stand as a name", text),
+         fmt::format("it is reserved or starts with no letter: quote it, \"{}\"", text));
   at_ += length;
   return text;
 }

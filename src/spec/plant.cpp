@@ -101,10 +101,11 @@ class Expander {
   Expanded run() {
     for (std::size_t i = 0; i < nodes_.size(); ++i) parts_[i] = part(i);
     refuse_bare_value(nodes_.size() - 1);
-    return {parts_.back().now, parts_.back().states};
+    return {now(nodes_.size() - 1), parts_.back().states};
   }
 
  private:
+  /// Where `states` is set the formulas are made of it on demand: most sets only become part of larger ones.
   struct Part {
     Formula now, then;
     std::optional<StateSet> states{};
@@ -131,32 +132,39 @@ class Expander {
 
   static Part unchanged(const Formula& node) { return {node, logic::next(node)}; }
 
-  [[nodiscard]] Part described(StateSet states) const {
-    Part out{terms_.inside(states), terms_.next_inside(states), std::nullopt, true};
-    out.states = std::move(states);
-    return out;
+  static Part described(StateSet states) { return {{}, {}, std::move(states), true}; }
+
+  [[nodiscard]] Formula now(std::size_t i) const {
+    return parts_[i].states ? terms_.inside(*parts_[i].states) : parts_[i].now;
+  }
+  [[nodiscard]] Formula then(std::size_t i) const {
+    return parts_[i].states ? terms_.next_inside(*parts_[i].states) : parts_[i].then;
   }
 
   [[nodiscard]] Part next(std::size_t i) const {
-    const Part& operand = parts_[nodes_.operands(i)[0]];
-    if (!operand.changed) return unchanged(nodes_[i]);
-    return {operand.then, logic::next(operand.then), std::nullopt, true};
+    const std::uint32_t operand = nodes_.operands(i)[0];
+    if (!parts_[operand].changed) return unchanged(nodes_[i]);
+    const Formula coming = then(operand);
+    return {coming, logic::next(coming), std::nullopt, true};
   }
 
   [[nodiscard]] Part connective(std::size_t i) const {
+    const auto& operands = nodes_.operands(i);
     std::vector<const StateSet*> sets;
-    std::vector<Formula> now, then;
     bool changed = false;
-    for (const std::uint32_t k : nodes_.operands(i)) {
+    for (const std::uint32_t k : operands) {
       changed = changed || parts_[k].changed;
       if (parts_[k].states) sets.push_back(&*parts_[k].states);
-      now.push_back(parts_[k].now);
-      then.push_back(parts_[k].then);
     }
     const Op op = nodes_[i].op();
     if (!changed) return unchanged(nodes_[i]);
-    if (sets.size() == now.size() && !sets.empty()) return described(combine(op, sets));
-    return {build(op, std::move(now)), build(op, std::move(then)), std::nullopt, true};
+    if (sets.size() == operands.size()) return described(combine(op, sets));
+    std::vector<Formula> present, coming;
+    for (const std::uint32_t k : operands) {
+      present.push_back(now(k));
+      coming.push_back(then(k));
+    }
+    return {build(op, std::move(present)), build(op, std::move(coming)), std::nullopt, true};
   }
 
   static Formula build(Op op, std::vector<Formula> operands) {
@@ -176,14 +184,14 @@ class Expander {
 
   [[nodiscard]] Part temporal(std::size_t i) const {
     const Formula& node = nodes_[i];
-    std::vector<Formula> now;
+    std::vector<Formula> operands;
     bool changed = false;
     for (const std::uint32_t k : nodes_.operands(i)) {
       changed = changed || parts_[k].changed;
-      now.push_back(parts_[k].now);
+      operands.push_back(now(k));
     }
     if (!changed) return unchanged(node);
-    const Formula rebuilt = Formula::make(node.op(), std::move(now), node.location());
+    const Formula rebuilt = Formula::make(node.op(), std::move(operands), node.location());
     return {rebuilt, logic::next(rebuilt), std::nullopt, true};
   }
 

@@ -70,7 +70,8 @@ class CaseSplit {
     for (std::size_t i = nodes_.size(); i-- > 0;) {
       const Formula& node = nodes_[i];
       const bool next = node.op() == Op::Next;
-      if (next && (steps_[i] & next_step) != 0) fail(i, "next-twice", "next inside next of a plant's term", "");
+      if (next && (steps_[i] & next_step) != 0)
+        fail(i, "next-twice", "next inside next of a plant's term", "");
       for (const std::uint32_t k : nodes_.operands(i)) steps_[k] |= next ? next_step : steps_[i];
       if (node.op() != Op::Name || is_plant(node)) continue;
       value_[i] = with_state ? terms_.state(node.name()) : std::nullopt;
