@@ -56,7 +56,7 @@ std::size_t width_of(char32_t point) {
 std::string percent_bare(double share) {
   if (!std::isfinite(share)) return "?";
   if (share > 0 && share < 0.0005) return "<0.1";
-  if (share < 1 && share > 0.9995) return ">99.9";
+  if (share < 1 && share > 0.9995 - 1e-9) return ">99.9";
   return compact(100 * share, 1);
 }
 

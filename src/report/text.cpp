@@ -187,6 +187,7 @@ void Writer::speed() {
 void Writer::closing() {
   text_ += '\n';
   std::vector<std::string> versions;
+  versions.reserve(result_.versions.size());
   for (const Version& version : result_.versions) versions.push_back(version.name + " " + version.version);
   std::string line = fmt::format("seed {}", result_.seed);
   if (!versions.empty()) line += ", " + join(versions, ", ");

@@ -10,7 +10,7 @@ function shows(text, value) {
   const match = /^([<>]?)([\d.]+)(?: %)?$/.exec(words);
   if (!match) return true;
   if (match[1] === '<') return value > 0 && value < 0.0005;
-  if (match[1] === '>') return value < 1 && value > 0.9995;
+  if (match[1] === '>') return value < 1 && value > 0.9994999;
   const exact = (value === 0) === (match[2] === '0') && (value === 1) === (match[2] === '100');
   return exact && Math.abs(Number(match[2]) / 100 - value) <= 0.000501;
 }
