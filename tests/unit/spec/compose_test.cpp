@@ -110,6 +110,15 @@ TEST(Compose, general_ltl_is_lowered_and_its_plant_terms_are_expanded) {
     }
 }
 
+TEST(Compose, lowering_leaves_values_without_next) {
+  Composition parts = case_study::awareness();
+  parts.guarantees.push_back({parse("G (sign & !red & !octagon -> X (action = go | sign))")});
+  const Gr1 spec = compose(case_study::car(), parts).spec;
+  EXPECT_EQ(logic::to_string(spec.sys_safety.back().formula).find("go'"), std::string::npos);
+  EXPECT_NE(logic::to_string(spec.sys_safety.back().formula).find("action' = go"), std::string::npos)
+      << logic::to_string(spec.sys_safety.back().formula);
+}
+
 TEST(Compose, refuses_bad_parts_with_a_hint) {
   const model::Fts car = case_study::car();
   const auto with = [&](auto change) {
