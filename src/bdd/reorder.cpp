@@ -88,18 +88,38 @@ void Reorderer::sift_block(std::uint32_t first, double max_growth) {
   while (position > best_position_) swap_blocks(--position);
 }
 
+/// Stops where nothing further on can beat the best: at most the nodes of the block and of what it has yet to
+/// pass and interacts with could vanish.
 void Reorderer::travel(std::size_t& position, std::size_t end, double max_growth) {
+  const Block block = blocks_[position];
+  std::size_t ahead = 0;
+  for (std::size_t p = std::min(position, end); p <= std::max(position, end); ++p)
+    ahead += nodes_at_stake(block, blocks_[p]);
   while (position != end && kernel_.counts_.node_swaps < allowance_) {
-    const bool down = position < end;
-    swap_blocks(down ? position : position - 1);
-    position = down ? position + 1 : position - 1;
     const std::size_t size = kernel_.live();
-    if (size < best_size_) {
-      best_size_ = size;
+    if (size >= best_size_ + ahead + block_nodes(block)) return;
+    if (static_cast<double>(size) > static_cast<double>(best_size_) * max_growth) return;
+    const bool down = position < end;
+    const std::size_t passed = down ? position + 1 : position - 1;
+    ahead -= nodes_at_stake(block, blocks_[passed]);
+    swap_blocks(std::min(position, passed));
+    position = passed;
+    if (kernel_.live() < best_size_) {
+      best_size_ = kernel_.live();
       best_position_ = position;
     }
-    if (static_cast<double>(size) > static_cast<double>(best_size_) * max_growth) return;
   }
+}
+
+/// Nodes of \p other, if it is another block that interacts with \p block.
+std::size_t Reorderer::nodes_at_stake(const Block& block, const Block& other) const {
+  if (block.first == other.first) return 0;
+  for (std::uint32_t v = block.first; v < block.first + block.size; ++v) {
+    for (std::uint32_t w = other.first; w < other.first + other.size; ++w) {
+      if (interact(v, w)) return block_nodes(other);
+    }
+  }
+  return 0;
 }
 
 void Reorderer::ensure_room(std::size_t position) {

@@ -35,6 +35,7 @@ class Reorderer {
   void sift_pass(const SiftOptions& options);
   void sift_block(std::uint32_t first, double max_growth);
   void travel(std::size_t& position, std::size_t end, double max_growth);
+  [[nodiscard]] std::size_t nodes_at_stake(const Block& block, const Block& other) const;
   void swap_blocks(std::size_t position);
   void swap_levels(std::uint32_t upper_level);
   std::uint32_t detach_dependent(std::uint32_t upper, std::uint32_t lower);
