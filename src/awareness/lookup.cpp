@@ -47,6 +47,11 @@ owl::Iri find_in_ontology(const owl::Ontology& ontology, const Name& name,
   const bool exact = std::any_of(found.begin(), found.end(),
                                  [&](owl::Iri iri) { return ontology.local_name(iri) == name.text; });
   if (exact) std::erase_if(found, [&](owl::Iri iri) { return ontology.local_name(iri) != name.text; });
+  // A user's own Thing goes before owl:Thing.
+  if (found.size() > 1)
+    std::erase_if(found, [&](owl::Iri iri) {
+      return ontology.text(iri).starts_with("http://www.w3.org/2002/07/owl#");
+    });
   if (found.size() == 1) return found.front();
   if (found.empty())
     throw util::InputError(name.location, code,

@@ -97,7 +97,7 @@ void SigmaBuilder::add_recognitions() {
         }
       add(SigmaKind::Recognition,
           logic::implies(logic::all_of(std::move(atoms)), entity_atom(recognised.entity)), evidence.axioms,
-          fmt::format("It counts as a '{}' when {}.", entity.label, fmt::join(words, " and ")));
+          fmt::format("It counts as '{}' when {}.", entity.label, fmt::join(words, " and ")));
     }
   }
 }

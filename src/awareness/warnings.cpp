@@ -111,6 +111,8 @@ void Builder::warn_conflicts() {
     for (const Entailed& a : entity.behaviours)
       for (const Entailed& b : entity.behaviours) {
         if (a.index >= b.index) continue;
+        // Two individuals that differ are two names, not two deeds that exclude each other.
+        if (catalogue_.behaviours[a.index].individual && catalogue_.behaviours[b.index].individual) continue;
         const auto apart =
             concepts_apart(catalogue_.behaviours[a.index].iri, catalogue_.behaviours[b.index].iri);
         const bool inherited =

@@ -218,6 +218,7 @@ TEST(YieldRoles, GiveTheSameNormalForm) {
   EXPECT_EQ(c.entities[c.entity("yield")].sufficiency, Sufficiency::Declared);
   ASSERT_EQ(c.notes.size(), 1U);
   EXPECT_EQ(c.notes[0].code, "role-assertions-normalised");
+  EXPECT_TRUE(c.warnings.empty());
 }
 
 std::string code_of(CatalogueOptions options) {
