@@ -56,13 +56,15 @@ class DefinitionOrder {
  public:
   explicit DefinitionOrder(const Gr1& spec)
       : spec_(spec), uses_(spec.definitions.size()), mark_(uses_.size()) {
-    std::map<std::string, std::uint32_t> index;
-    for (std::uint32_t i = 0; i < uses_.size(); ++i) index.emplace(spec.definitions[i].name, i);
-    for (std::uint32_t i = 0; i < uses_.size(); ++i)
-      for (const Formula& node : logic::postorder(spec.definitions[i].formula)) {
-        if (node.op() != Op::Name) continue;
-        if (const auto used = index.find(node.name()); used != index.end()) uses_[i].push_back(used->second);
-      }
+    const Symbols symbols(spec);
+    for (std::uint32_t i = 0; i < uses_.size(); ++i) {
+      const Formula& root = spec.definitions[i].formula;
+      use(i, root, symbols);
+      for (const Formula& node : logic::postorder(root))
+        for (std::size_t k = 0; k < node.operands().size(); ++k)
+          // `red := light = red` uses the value and not itself.
+          if (!is_comparison(node.op()) || !enumeration_value(node, k, symbols)) use(i, node[k], symbols);
+    }
   }
   std::vector<std::uint32_t> sorted() {
     for (std::uint32_t i = 0; i < uses_.size(); ++i)
@@ -71,6 +73,12 @@ class DefinitionOrder {
   }
 
  private:
+  void use(std::uint32_t user, const Formula& node, const Symbols& symbols) {
+    if (node.op() != Op::Name) return;
+    const Symbol* symbol = symbols.find(node.name());
+    if (symbol && symbol->kind == Symbol::Kind::Definition) uses_[user].push_back(symbol->index);
+  }
+
   enum class Mark : std::uint8_t { New, Open, Done };
   void visit(std::uint32_t root) {
     std::vector<std::pair<std::uint32_t, std::size_t>> stack{{root, 0}};

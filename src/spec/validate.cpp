@@ -102,14 +102,13 @@ void check_definitions(const Gr1& spec, const Symbols& symbols) {
     Place place{fmt::format("the definition of '{}'", definition.name)};
     check_formula(definition.formula, symbols, place);
   }
-  Gr1 only_definitions;
-  only_definitions.definitions = spec.definitions;
-  sort_definitions(only_definitions);
+  Gr1 sorted = spec;
+  sort_definitions(sorted);
   for (std::size_t i = 0; i < spec.definitions.size(); ++i)
-    if (only_definitions.definitions[i].name != spec.definitions[i].name)
+    if (sorted.definitions[i].name != spec.definitions[i].name)
       fail(spec.definitions[i].formula.location(), "definition-order",
            fmt::format("'{}' uses '{}', which is defined later", spec.definitions[i].name,
-                       only_definitions.definitions[i].name),
+                       sorted.definitions[i].name),
            "sort_definitions() orders them");
 }
 
