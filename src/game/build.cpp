@@ -1,4 +1,5 @@
 #include "encoder.h"
+#include "mentions.h"
 #include "order.h"
 
 #include <heed/game/game.h>
@@ -21,13 +22,6 @@ bool has_next(const logic::Formula& formula) {
                      [](const auto& node) { return node.op() == logic::Op::Next; });
 }
 
-bool mentions(const logic::Formula& formula, const std::set<std::string>& names) {
-  const auto nodes = logic::postorder(formula);
-  return std::any_of(nodes.begin(), nodes.end(), [&](const auto& node) {
-    return node.op() == logic::Op::Name && names.count(node.name()) != 0;
-  });
-}
-
 std::size_t bits_for(const model::Domain& domain) {
   std::size_t bits = 0;
   while ((std::int64_t{1} << bits) < domain.size()) ++bits;
@@ -40,9 +34,11 @@ class Builder {
   Builder(const spec::Gr1& spec, util::Budget& budget)
       : budget_(budget),
         manager_(std::make_shared<bdd::Manager>(bdd::ManagerOptions{}, &budget)),
-        encoder_(*manager_, budget) {
+        encoder_(*manager_, budget),
+        symbols_(spec) {
     game_.manager = manager_;
     game_.spec = std::make_shared<const spec::Gr1>(spec);
+    for (const auto& output : spec.outputs) answers_.insert(output.variable.name);
   }
 
   Game build() {
@@ -130,6 +126,7 @@ class Builder {
                      fmt::format("the definition of '{}'", definition.name).c_str(), "current values");
       game_.definitions.push_back(value);
       encoder_.add_definition(definition.name, value);
+      if (judged_by_answers(definition.formula)) answers_.insert(definition.name);
     }
   }
 
@@ -161,23 +158,20 @@ class Builder {
            i});
   }
 
-  /// Outputs, and what is defined by them.
-  [[nodiscard]] std::set<std::string> answer_names() const {
-    std::set<std::string> names;
-    for (const auto& output : game_.spec->outputs) names.insert(output.variable.name);
-    for (const auto& definition : game_.spec->definitions)
-      if (mentions(definition.formula, names)) names.insert(definition.name);
-    return names;
+  /// Whether \p formula speaks of outputs, or of what is defined by them.
+  [[nodiscard]] bool judged_by_answers(const logic::Formula& formula) const {
+    const std::set<std::string> names = mentioned(formula, symbols_);
+    return std::any_of(names.begin(), names.end(),
+                       [this](const auto& name) { return answers_.count(name) != 0; });
   }
 
   void environment() {
-    const std::set<std::string> answers = answer_names();
     game_.env_safety = ranges(Owner::Input).next();
     for (const auto& clause : game_.spec->env_safety) {
       const Bdd holds =
           restricted(clause.formula, {{Owner::Output, true}}, "an assumption on the environment's steps",
                      "current values and primed inputs");
-      if (has_next(clause.formula) || mentions(clause.formula, answers)) {
+      if (has_next(clause.formula) || judged_by_answers(clause.formula)) {
         game_.env_safety &= holds;
       } else {
         game_.env_initial &= holds;
@@ -247,6 +241,8 @@ class Builder {
   util::Budget& budget_;
   std::shared_ptr<bdd::Manager> manager_;
   Encoder encoder_;
+  spec::Symbols symbols_;
+  std::set<std::string> answers_;  ///< Outputs, and what is defined by them.
   Game game_;
 };
 

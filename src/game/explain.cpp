@@ -58,9 +58,20 @@ class Play {
     return answer;
   }
 
+  /// First observations whose best answer is lost in the earliest round: the shortest story.
+  [[nodiscard]] Bdd earliest_lost(const Bdd& legal, const Bdd& possible) const {
+    const Bdd chosen = game_.outputs & game_.memories;
+    Bdd losing = legal.minus(possible.exists(chosen));
+    for (auto iterate = region_.iterates.begin(); losing.is_false() && iterate != region_.iterates.end();
+         ++iterate)
+      losing = legal.minus(possible.and_exists(iterate->region, chosen));
+    return losing;
+  }
+
   /// A first observation that is lost, whoever chooses first.
   [[nodiscard]] Bdd losing_inputs(const Bdd& legal, const Bdd& possible) {
     const Bdd chosen = game_.outputs & game_.memories;
+    if (game_.spec->initial == spec::InitialQuantifiers::ForallExists) return earliest_lost(legal, possible);
     const Bdd unanswered = legal.minus(possible.and_exists(region_.winning, chosen));
     if (game_.spec->initial == spec::InitialQuantifiers::ForallForall)
       return unanswered | (legal & possible.minus(region_.winning).exists(chosen));
