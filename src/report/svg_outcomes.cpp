@@ -29,6 +29,7 @@ class Picture {
  public:
   Picture(Markup& page, const RunResult& result, const Profile& profile)
       : page_(page), result_(result), profile_(profile), labels_(bar_labels(result, profile.name)) {
+    charts_.reserve(result.charts.size());
     for (std::size_t i = 0; i < result.charts.size(); ++i)
       if (result.charts[i].profile == profile.name) charts_.push_back(i);
   }
