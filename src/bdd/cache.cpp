@@ -6,7 +6,7 @@
 namespace heed::bdd {
 
 namespace {
-constexpr std::size_t initial_sets = std::size_t{1} << 11;
+constexpr std::size_t initial_sets = std::size_t{1} << 13;
 }
 
 ComputedCache::ComputedCache(std::size_t max_bytes)

@@ -132,7 +132,7 @@ void Kernel::refuel() {
   if (budget != nullptr) budget->check();
   if (counts_.steps - steps_at_growth_ < cache.entries() * 2) return;
   const std::size_t more = cache.growth_bytes();
-  if (more == 0 || cache.entries() > std::size_t{used_} * 4) return;
+  if (more == 0 || cache.entries() > std::size_t{used_} * 2) return;
   reserve(more * 2);
   cache.grow();
   steps_at_growth_ = counts_.steps;
