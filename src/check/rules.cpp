@@ -15,7 +15,7 @@ constexpr int never = 1 << 30;
 /// where it depends on the machine's answer.
 class Levels {
  public:
-  Levels(const Rules& rules, bool at_start) : rules_(rules), level_(rules.layout.size(), never) {
+  Levels(const Rules& rules, bool at_start) : level_(rules.layout.size(), never) {
     const spec::Gr1& spec = rules.spec;
     for (std::uint32_t i = 0; i < spec.inputs.size(); ++i) level_[i] = static_cast<int>(i) + 1;
     for (std::uint32_t i = 0; i < spec.memories.size(); ++i) {
@@ -39,7 +39,6 @@ class Levels {
   [[nodiscard]] int at(std::uint32_t slot) const { return level_[slot]; }
 
  private:
-  const Rules& rules_;
   std::vector<int> level_;
 };
 

@@ -263,6 +263,7 @@ class Composer {
   void add_effect(const Effect& effect) {
     const Formula then = terms_.next_inside(effect.states);
     std::vector<Formula> triggers;
+    triggers.reserve(effect.triggers.size());
     for (const std::string& name : effect.triggers) triggers.push_back(logic::name(name));
     if (std::find(effect.states.begin(), effect.states.end(), true) == effect.states.end())
       note(util::Severity::Warning, "empty-binding",
