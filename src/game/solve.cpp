@@ -27,6 +27,7 @@ class Solver {
     stuck_ = cpre_.of_set(game.manager->constant(false));
     region_.ranks.resize(goals_);
     region_.waits.resize(goals_);
+    known_.resize(goals_);
   }
 
   Region run() {
@@ -59,33 +60,56 @@ class Solver {
     region_.realizable = wins_initially(game_, region_.winning);
   }
 
-  /// mu Y for one goal.
+  /// mu Y for one goal. What progress alone wins comes first: only where it ends may a state wait for an
+  /// assumption to fail, so that no strategy waits where it could go on.
   Bdd reach(std::size_t goal) {
-    const Justice& justice = game_.sys_justice[goal];
-    const Bdd& Z = region_.winning;
-    const Bdd stay = justice.step ? Bdd() : justice.relation & Z & predecessor(Z);
-    std::vector<Bdd>& ranks = region_.ranks[goal];
-    auto& waits = region_.waits[goal];
-    ranks.clear();
+    region_.ranks[goal].clear();
+    region_.waits[goal].clear();
+    const Bdd stay = stays(goal);
     Bdd Y = game_.manager->constant(false);
-    for (std::size_t k = 0;; ++k) {
-      if (waits.size() <= k) waits.emplace_back();
-      Bdd grown = Y;
-      const Bdd base = justice.step ? Bdd() : stay | (Z & (k == 0 ? stuck_ : predecessor(Y)));
-      for (std::size_t i = 0; i < game_.env_justice.size(); ++i) {
-        Bdd start = Z;
-        if (waits[k].size() > i) start &= waits[k][i];
-        Bdd X = wait(goal, i, base, Y, std::move(start));
-        grown |= X;
-        if (waits[k].size() <= i) waits[k].push_back(X);
-        waits[k][i] = std::move(X);
+    for (std::size_t pass = 0;; ++pass) {
+      Bdd base = progress(goal, stay, Y);
+      while (!base.entails(Y)) {
+        add_rank(goal, Y |= base, {});
+        if (Y == region_.winning) return Y;
+        base = progress(goal, stay, Y);
       }
-      if (grown == Y) break;
-      Y = std::move(grown);
-      if (options_.ranks) ranks.push_back(Y);
-      if (Y == Z) break;
+      std::vector<Bdd> sets = wait_all(goal, pass, base, Y);
+      Bdd grown = Y;
+      for (const Bdd& X : sets) grown |= X;
+      if (grown == Y) return Y;
+      add_rank(goal, Y = std::move(grown), std::move(sets));
     }
-    return Y;
+  }
+
+  void add_rank(std::size_t goal, const Bdd& Y, std::vector<Bdd> sets) {
+    if (!options_.ranks) return;
+    region_.ranks[goal].push_back(Y);
+    region_.waits[goal].push_back(std::move(sets));
+  }
+
+  /// J_sys[j] & cpre(Z), where the goal speaks of one state.
+  Bdd stays(std::size_t goal) {
+    const Justice& justice = game_.sys_justice[goal];
+    if (justice.step) return {};
+    return justice.relation & region_.winning & predecessor(region_.winning);
+  }
+
+  /// (J_sys[j] & cpre(Z)) | cpre(Y)
+  Bdd progress(std::size_t goal, const Bdd& stay, const Bdd& Y) {
+    const Bdd& Z = region_.winning;
+    if (game_.sys_justice[goal].step)
+      return Z & relation_predecessor(game_.sys_justice[goal].relation.and_next(Z) | Y.next());
+    return stay | (Z & (Y.is_false() ? stuck_ : predecessor(Y)));
+  }
+
+  /// The sets X, one for each assumption; kept as starting points for the next round.
+  std::vector<Bdd> wait_all(std::size_t goal, std::size_t pass, const Bdd& base, const Bdd& Y) {
+    auto& known = known_[goal];
+    if (known.size() <= pass) known.emplace_back(game_.env_justice.size(), region_.winning);
+    for (std::size_t i = 0; i < game_.env_justice.size(); ++i)
+      known[pass][i] = wait(goal, i, base, Y, known[pass][i] & region_.winning);
+    return known[pass];
   }
 
   /// nu X for one goal, rank and assumption.
@@ -93,16 +117,13 @@ class Solver {
     const Justice& J_sys = game_.sys_justice[goal];
     const Justice& J_env = game_.env_justice[assumption];
     const Bdd& Z = region_.winning;
-    if (!J_sys.step && J_env.relation.is_true()) return base;
-    const Bdd progress = J_sys.step || J_env.step ? J_sys.relation.and_next(Z) | Y.next() : Bdd();
+    if (J_env.relation.is_true()) return base;
+    const bool fused = J_sys.step || J_env.step;
+    const Bdd progress = fused ? J_sys.relation.and_next(Z) | Y.next() : Bdd();
     while (true) {
-      Bdd next;
-      if (progress.valid())
-        next = Z & relation_predecessor(progress | (!J_env.relation).and_next(X));
-      else
-        next = base | (Z & !J_env.relation & predecessor(X | Y));
+      Bdd next = fused ? Z & relation_predecessor(progress | (!J_env.relation).and_next(X))
+                       : base | (Z & !J_env.relation & predecessor(X | Y));
       if (next == X) return X;
-      if (J_env.relation.is_true()) return next;
       X = std::move(next);
     }
   }
@@ -129,6 +150,7 @@ class Solver {
   std::size_t goals_;
   Bdd stuck_;  ///< cpre(false): the environment cannot move.
   Region region_;
+  std::vector<std::vector<std::vector<Bdd>>> known_;  ///< X by goal, pass and assumption, of the last round.
 };
 
 }  // namespace

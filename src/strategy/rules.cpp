@@ -89,8 +89,9 @@ class RuleMaker {
 
   template <typename Visit>
   void each_wait(std::size_t k, Bdd open, const Visit& visit) {
-    for (std::size_t i = 0; i < game_.env_justice.size() && !open.is_false(); ++i) {
-      const Bdd& set = region_.waits[goal_][k][i];
+    const std::vector<Bdd>& sets = region_.waits[goal_][k];
+    for (std::size_t i = 0; i < sets.size() && !open.is_false(); ++i) {
+      const Bdd& set = sets[i];
       visit(i, open & set);
       open = open.minus(set);
     }

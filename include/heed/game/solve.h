@@ -27,7 +27,8 @@ struct Region {
   bdd::Bdd winning;      ///< Over current variables. Stopped early: a superset of the winning states.
   /// ranks[j][k]: the system can force goal j, or a broken assumption, in at most k + 1 rounds.
   std::vector<std::vector<bdd::Bdd>> ranks;
-  /// waits[j][k][i]: part of ranks[j][k]; from here it may wait while assumption i fails.
+  /// waits[j][k][i]: part of ranks[j][k]; from here it may wait while assumption i fails. Empty for ranks
+  /// that progress alone gives.
   std::vector<std::vector<std::vector<bdd::Bdd>>> waits;
   std::vector<Iterate> iterates;  ///< In order; each region is smaller than the one before.
   std::uint64_t outer_iterations = 0;
