@@ -123,9 +123,9 @@ std::optional<DataRange> Mapper::range_of(Term node, std::uint32_t at, unsigned 
       out = DataRange::one_of(std::move(literals));
     }
   } else {
-    const auto both = take(node, v::owl_intersection_of);
-    const auto either = both ? std::nullopt : take(node, v::owl_union_of);
-    const auto list = both ? list_of(*both, at) : either ? list_of(*either, at) : std::nullopt;
+    const bool both = find(node, v::owl_intersection_of) != none;
+    const auto head = take(node, both ? v::owl_intersection_of : v::owl_union_of);
+    const auto list = head ? list_of(*head, at) : std::nullopt;
     std::vector<DataRange> parts;
     for (const Term member : list.value_or(std::vector<Term>{}))
       if (auto part = range_of(member, at, depth + 1)) parts.push_back(std::move(*part));
@@ -206,13 +206,15 @@ std::optional<ClassExpression> Mapper::class_of(Term root, std::uint32_t at) {
     report(at, "literal-class", fmt::format("the literal {} stands where a class is expected", show(root)));
     return std::nullopt;
   }
+  const std::size_t before = diagnostics_.size();
   if (root.is_blank()) {
     std::vector<Term> pending = {root};
     while (!pending.empty()) visit(pending.back(), at, pending);
   }
   auto out = known_class(root);
-  if (!out && !used_[at])
+  if (!out && diagnostics_.size() == before)
     report(at, "bad-class", "a part of the class expression was not understood", "the axiom was left out");
+  if (!out) used_[at] = true;
   return out;
 }
 

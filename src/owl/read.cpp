@@ -56,8 +56,9 @@ bool looks_like_turtle(std::string_view word) {
   if (word == "@prefix" || word == "@base" || word == "PREFIX" || word == "BASE" || word == "prefix" ||
       word == "base")
     return true;
-  return word.starts_with("_:") || word.starts_with("[") ||
-         (word.starts_with("<") && word.find(':') != std::string_view::npos);
+  if (word.starts_with("_:") || word.starts_with("[") || word.starts_with("<#")) return true;
+  const bool absolute = word.find("://") != std::string_view::npos || word.starts_with("<urn:");
+  return word.starts_with("<") && absolute && word.find('>') != std::string_view::npos;
 }
 
 Syntax by_extension(const std::string& name) {
@@ -102,9 +103,7 @@ Syntax recognise(const util::SourceText& source) {
                          (name.ends_with(":Ontology") && root.find("ontologyIRI") != std::string_view::npos);
     return owl_xml ? Syntax::OwlXml : Syntax::RdfXml;
   }
-  const Syntax named = by_extension(source.name());
-  if (named == Syntax::RdfXml && !text.empty()) return named;
-  return named;
+  return by_extension(source.name());
 }
 
 Graph read_graph(const util::SourceText& source, ReadContext context) {

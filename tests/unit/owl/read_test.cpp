@@ -1,0 +1,164 @@
+#include "support.h"
+
+#include <heed/owl/signature.h>
+#include <heed/owl/vocabulary.h>
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <set>
+
+namespace heed::owl::test {
+namespace {
+
+/// Functional-style text with the operands of commutative constructors in a fixed order.
+std::string sorted_text(std::string_view text, std::size_t& at) {
+  const std::size_t end = std::min(text.find_first_of(" ()", at), text.size());
+  const std::string head(text.substr(at, end - at));
+  at = end;
+  if (at >= text.size() || text[at] != '(') return head;
+  std::vector<std::string> parts;
+  while (text[at] != ')') {
+    ++at;
+    if (text[at] != ')') parts.push_back(sorted_text(text, at));
+  }
+  ++at;
+  const std::set<std::string> commutative = {"ObjectIntersectionOf", "ObjectUnionOf", "ObjectOneOf", "EquivalentClasses",
+                                             "DisjointClasses", "DifferentIndividuals"};
+  if (commutative.contains(head)) std::sort(parts.begin(), parts.end());
+  std::string out = head + "(";
+  for (const std::string& part : parts) out += part + " ";
+  return out + ")";
+}
+
+std::multiset<std::string> logical(const Ontology& ontology) {
+  std::multiset<std::string> out;
+  for (const Axiom& axiom : ontology.axioms()) {
+    std::size_t at = 0;
+    if (is_logical(axiom)) out.insert(sorted_text(to_functional(axiom, ontology), at));
+  }
+  return out;
+}
+
+Ontology read_corpus(const std::string& name) {
+  util::Diagnostics diagnostics;
+  Ontology out = read(util::read_file(corpus() + "/owl/" + name), {}, diagnostics);
+  for (const auto& d : diagnostics) ADD_FAILURE() << util::to_string(d);
+  return out;
+}
+
+TEST(Read, BothSyntaxesOfTheSignsSayTheSame) {
+  if (!std::filesystem::exists(corpus() + "/owl/signs")) GTEST_SKIP() << "no corpus at " << corpus();
+  const auto xml = logical(read_corpus("signs/signs.owl"));
+  EXPECT_EQ(xml.size(), 76U);
+  EXPECT_EQ(xml, logical(read_corpus("signs/signs.ttl")));
+}
+
+TEST(Read, PublicOntologiesLeaveNothingNotUnderstood) {
+  if (!std::filesystem::exists(corpus() + "/owl/public")) GTEST_SKIP() << "no corpus at " << corpus();
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(corpus() + "/owl/public")) {
+    SCOPED_TRACE(entry.path().string());
+    EXPECT_GT(read_corpus("public/" + entry.path().filename().string()).axioms().size(), 100U);
+    ++files;
+  }
+  std::cout << files << " files read, none skipped\n";
+}
+
+TEST(Read, LoadsTheClosureOfTheAutomotiveOntology) {
+  const std::string root = corpus() + "/owl/auto/automotive_urban_traffic_ontology.owl";
+  if (!std::filesystem::exists(root)) GTEST_SKIP() << "no corpus at " << corpus();
+  util::Diagnostics diagnostics;
+  const Ontology all = load(root, {}, {}, diagnostics);
+  std::set<std::string> documents;
+  for (const Axiom& axiom : all.axioms()) documents.emplace(axiom.location.file_name());
+  EXPECT_GE(documents.size(), 20U);
+  for (std::uint32_t i = 0; i < all.axioms().size(); ++i) ASSERT_EQ(all.axioms()[i].id.number, i + 1);
+}
+
+TEST(Read, RecognisesSyntaxesByContentBeforeTheName) {
+  const auto of = [](const std::string& text, const std::string& name) { return recognise(util::SourceText(name, text)); };
+  EXPECT_EQ(of("<?xml version='1.0'?><!-- c --><!DOCTYPE x [<!ENTITY a \"b\">]><rdf:RDF/>", "x.ttl"), Syntax::RdfXml);
+  EXPECT_EQ(of("# c\n@prefix : <a:b> .", "x.owl"), Syntax::Turtle);
+  EXPECT_EQ(of("<?xml version='1.0'?>\n<Ontology xmlns=\"x\"/>", "x.owl"), Syntax::OwlXml);
+  EXPECT_EQ(of("Prefix(:=<a:b>)", "x.owl"), Syntax::Functional);
+  EXPECT_EQ(of("Prefix: : <a:b>", "x.owl"), Syntax::Manchester);
+  EXPECT_EQ(of("", "x.ttl"), Syntax::Turtle);
+  EXPECT_EQ(of("hello", "x.txt"), Syntax::Unknown);
+}
+
+class Imports : public testing::Test {
+ protected:
+  Imports() : folder_(testing::TempDir() + "heed-imports-" + testing::UnitTest::GetInstance()->current_test_info()->name()) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~Imports() override { std::filesystem::remove_all(folder_); }
+  std::string write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ + "/" + name) << text;
+    return folder_ + "/" + name;
+  }
+  std::string document(const std::string& self, const std::string& import, const std::string& body) {
+    return turtle_head + "<http://e/" + self + "> a owl:Ontology ; owl:imports <http://e/" + import + "> .\n" + body;
+  }
+  std::string folder_;
+};
+
+TEST_F(Imports, FollowTheCatalogueAndEndInCycles) {
+  const std::string root = write("a.ttl", document("a", "b", ":x :p :y ."));
+  write("b.ttl", document("b", "a", ":p a owl:ObjectProperty . _:n a :A ."));
+  write("catalog-v001.xml", "<catalog><group><uri name=\"http://e/b\" uri=\"b.ttl\"/></group></catalog>");
+  util::Diagnostics diagnostics;
+  const Ontology all = load(root, {}, {}, diagnostics);
+  EXPECT_THAT(short_axioms(all), testing::ElementsAre("ObjectPropertyAssertion(p x y)", "ClassAssertion(A _:d1b0)"));
+  EXPECT_EQ(all.iri(), "http://e/a");
+  EXPECT_EQ(all.imports().size(), 2U);
+  EXPECT_TRUE(diagnostics.empty());
+}
+
+TEST_F(Imports, MissingOnesAreAnErrorUnlessAllowed) {
+  const std::string root = write("a.ttl", document("a", "nowhere", ":A rdfs:subClassOf :B ."));
+  util::Diagnostics diagnostics;
+  const auto error = refused([&] { (void)load(root, {}, {}, diagnostics); });
+  EXPECT_EQ(error.code, "missing-import");
+  EXPECT_EQ(error.location.line, 2U);
+  EXPECT_FALSE(error.hint.empty());
+  ImportOptions options;
+  options.allow_missing = true;
+  EXPECT_EQ(short_axioms(load(root, options, {}, diagnostics)).size(), 1U);
+  EXPECT_EQ(diagnostics.size(), 1U);
+  options.allow_missing = false;
+  options.mapping.emplace_back("http://e/nowhere", write("c.ttl", turtle_head + ":C rdfs:subClassOf :D ."));
+  EXPECT_EQ(short_axioms(load(root, options, {}, diagnostics)).size(), 2U);
+}
+
+TEST(Ontology, KnowsNamesLabelsAndKinds) {
+  const Read read = turtle(
+      ":StopSign a owl:Class ; rdfs:label \"Stop sign\"@en, \"Segnale di stop\"@it . :Red a owl:Class ; rdfs:label \"red\" .\n"
+      ":hasColour a owl:ObjectProperty . :StopSign rdfs:subClassOf [ owl:onProperty :hasColour ; owl:someValuesFrom :Red ] .");
+  const Ontology& o = read.ontology;
+  const Iri stop = *o.find("http://e/#StopSign");
+  EXPECT_EQ(o.name(stop), "Stop sign");
+  EXPECT_EQ(o.name(stop, "it"), "Segnale di stop");
+  EXPECT_EQ(o.name(*o.find("http://e/#Red")), "red");
+  EXPECT_EQ(o.local_name(stop), "StopSign");
+  for (const char* name : {"StopSign", ":StopSign", "Stop sign", "Segnale di stop", "http://e/#StopSign"})
+    EXPECT_THAT(o.lookup(name), testing::ElementsAre(stop)) << name;
+  EXPECT_TRUE(o.lookup("nothing").empty());
+  EXPECT_EQ(to_text(o.axioms().back(), o), "Stop sign SubClassOf hasColour some red");
+  EXPECT_EQ(signature(o.axioms().back().content).size(), 3U);
+  EXPECT_EQ(*o.find("http://www.w3.org/2002/07/owl#Thing"), vocabulary::owl_thing);
+  for (std::uint32_t id = 0; id < vocabulary::size; ++id) EXPECT_EQ(o.text(Iri{id}), vocabulary::text(Iri{id}));
+}
+
+TEST(Print, BracketsFollowTheNesting) {
+  const Read read = turtle(
+      ":A rdfs:subClassOf [ owl:intersectionOf ( :B [ owl:unionOf ( :C [ owl:complementOf :D ] ) ] [ owl:onProperty :p ; "
+      "owl:allValuesFrom [ owl:onProperty :q ; owl:hasValue :x ] ] ) ] .");
+  EXPECT_EQ(to_text(read.ontology.axioms()[0], read.ontology), "A SubClassOf B and (C or (not D)) and (p only (q value x))");
+  const std::string document = to_functional({AxiomId{1}, AxiomId{1}}, read.ontology);
+  EXPECT_EQ(document.find("SubClassOf("), document.rfind("SubClassOf("));
+  EXPECT_NE(document.find("Declaration(ObjectProperty(<http://e/#p>))"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace heed::owl::test
