@@ -130,7 +130,7 @@ void Explorer::expand(std::uint32_t node) {
   std::vector<std::int64_t> kept;
   if (!common.start) kept.assign(kept_of(node), kept_of(node) + kept_width_);
   legal_.each(common.start ? nullptr : kept.data(), [&](std::int32_t* values) {
-    any = true;
+    any = any || !common.start || can_start(values);
     return take(node, values, common);
   });
   if (common.start && any && !answered_start_ && verdict_->refutations.empty())
@@ -142,7 +142,28 @@ void Explorer::expand(std::uint32_t node) {
            node, {});
 }
 
+/// Some choice of initial states keeps the assumptions that speak of them: else the first input is not legal.
+bool Explorer::can_start(const std::int32_t* values) const {
+  if (rules_.first.start.empty()) return true;
+  std::vector<std::int32_t> tried(values, values + rules_.layout.size());
+  std::vector<std::size_t> choice(rules_.spec.memories.size());
+  for (std::size_t at = 0; at < choice.size();) {
+    for (std::uint32_t i = 0; i < choice.size(); ++i)
+      tried[rules_.layout.memory(i)] = rules_.spec.memories[i].initial[choice[i]];
+    for (std::uint32_t i = 0; i < rules_.definitions.size(); ++i)
+      tried[rules_.layout.definition(i)] =
+          static_cast<std::int32_t>(rules_.definitions[i].run({tried.data()}, registers_));
+    if (std::all_of(rules_.first.start.begin(), rules_.first.start.end(),
+                    [&](const Rule& rule) { return holds(rule.program, tried.data()); }))
+      return true;
+    for (at = 0; at < choice.size() && ++choice[at] == rules_.spec.memories[at].initial.size(); ++at)
+      choice[at] = 0;
+  }
+  return false;
+}
+
 bool Explorer::take(std::uint32_t node, std::int32_t* values, Common& common) {
+  if (common.start && !can_start(values)) return true;
   ++verdict_->product_edges;
   if ((verdict_->product_edges & 0xff) == 0) budget_.check();
   const std::uint32_t letter = letters_.find(values);
@@ -170,6 +191,12 @@ bool Explorer::answer(Answer at, std::int32_t* values, Common& common) {
                        {},
                        0},
                       at.node, step(at.row));
+  if (common.start)
+    for (const Rule& rule : rules_.first.start)
+      if (!holds(rule.program, values))
+        return refuse(
+            {Kind::Initial, rule.clause->text, "the chosen initial state makes an assumption fail", {}, 0},
+            at.node, step(at.row));
   if (row.violated) return refuse_row(at, row);
   if (common.start && start_broken(values)) return true;
   if (!common.start && !keeps_step(at, values)) return verdict_->refutations.size() < options_.most;

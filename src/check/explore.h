@@ -76,6 +76,7 @@ class Explorer {
   void finish_node();
   bool take(std::uint32_t node, std::int32_t* values, Common& common);
   bool answer(Answer at, std::int32_t* values, Common& common);
+  [[nodiscard]] bool can_start(const std::int32_t* values) const;
   bool refuse_row(Answer at, const RowFacts& row);
   bool starts_well(Answer at, const std::int32_t* values);
   bool memories_agree(Answer at, const std::int32_t* values);

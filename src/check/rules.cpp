@@ -9,7 +9,8 @@ using model::Domain;
 
 namespace {
 
-constexpr int never = 1 << 30;
+/// `chosen`: known once the system has chosen where a plant starts. `never`: only with the machine's answer.
+constexpr int never = 1 << 30, chosen = 1 << 29;
 
 /// Finds for every slot after which input its value is known: 0 before any, k + 1 after input k, `never`
 /// where it depends on the machine's answer.
@@ -21,7 +22,7 @@ class Levels {
     for (std::uint32_t i = 0; i < spec.memories.size(); ++i) {
       int& level = level_[rules.layout.memory(i)];
       if (at_start) {
-        level = spec.memories[i].initial.size() == 1 ? 0 : never;
+        level = spec.memories[i].initial.size() == 1 ? 0 : chosen;
         continue;
       }
       level = of(rules.updates[i].otherwise);
@@ -119,15 +120,16 @@ Enumeration Rules::enumeration(bool at_start) {
     out.levels[static_cast<std::size_t>(level)].push_back(task);
   };
   for (std::uint32_t i = 0; i < spec.memories.size(); ++i)
-    if (levels.at(layout.memory(i)) != never) schedule(levels.at(layout.memory(i)), {Task::Kind::Memory, i});
+    if (levels.at(layout.memory(i)) < chosen) schedule(levels.at(layout.memory(i)), {Task::Kind::Memory, i});
   std::vector<bool> wanted(layout.size());
   const auto add = [&](const spec::Clause& clause, bool step) {
     Rule rule{&clause,
               step ? compile_step(clause.formula, layout, kept) : compile_present(clause.formula, layout)};
     need(rule.program);
-    const bool known = levels.of(rule.program) != never;
+    const int level = levels.of(rule.program);
+    const bool known = level < chosen;
     for (const std::uint32_t slot : rule.program.loads()) wanted[slot] = wanted[slot] || known;
-    (known ? out.checks : out.after).push_back(std::move(rule));
+    (known ? out.checks : level == chosen ? out.start : out.after).push_back(std::move(rule));
   };
   if (at_start)
     for (const auto& clause : spec.env_init) add(clause, false);

@@ -38,6 +38,8 @@ struct Task {
 struct Enumeration {
   std::vector<std::vector<Task>> levels;
   std::vector<Rule> checks;
+  std::vector<Rule>
+      start;  ///< First step only: over a plant's initial state, which the system chooses so that they hold.
   std::vector<Rule> after;
 };
 

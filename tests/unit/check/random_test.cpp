@@ -70,14 +70,8 @@ std::string random_spec(Random& random) {
 class Game {
  public:
   explicit Game(const spec::Gr1& spec) : spec_(spec), holds_(spec) {
-    std::set<std::string> chosen{"y"};
-    for (const auto& m : spec.memories)
-      if (m.initial.size() > 1) start_chosen_.insert(m.variable.name);
-    start_chosen_.insert("y");
-    for (auto* late : {&chosen, &start_chosen_})
-      for (const auto& d : spec.definitions)
-        if (mentions(d.formula, *late)) late->insert(d.name);
-    chosen_ = chosen;
+    for (const auto& d : spec.definitions)
+      if (mentions(d.formula, chosen_)) chosen_.insert(d.name);
   }
 
   [[nodiscard]] const spec::Gr1& spec() const { return spec_; }
@@ -114,16 +108,22 @@ class Game {
     derive(last, step, std::nullopt);
     for (const auto& c : spec_.env_init)
       if (!last && !holds(c.formula, step, step)) return false;
-    for (const auto& c : spec_.env_safety) {
-      if (naive::steps(c.formula) ? last && !holds(c.formula, *last, step)
-                                  : !late(c.formula, !last) && !holds(c.formula, step, step))
-        return false;
-    }
-    return true;
+    for (const auto& c : spec_.env_safety)
+      if (naive::steps(c.formula) && last && !holds(c.formula, *last, step)) return false;
+    if (last) return assumed(step);
+    const auto& starts = spec_.memories[1].initial;
+    return std::any_of(starts.begin(), starts.end(), [&](std::int32_t start) {
+      derive(last, step, start);
+      return assumed(step);
+    });
   }
-  [[nodiscard]] bool late(const Formula& f, bool start) const {
-    return mentions(f, start ? start_chosen_ : chosen_);
+  /// The assumptions on one step that the system's outputs have no part in.
+  [[nodiscard]] bool assumed(const Step& step) const {
+    return std::all_of(spec_.env_safety.begin(), spec_.env_safety.end(), [&](const auto& c) {
+      return naive::steps(c.formula) || late(c.formula) || holds(c.formula, step, step);
+    });
   }
+  [[nodiscard]] bool late(const Formula& f) const { return mentions(f, chosen_); }
 
   /// The system keeps its part in this step.
   [[nodiscard]] bool kept(const Step* last, const Step& step) const {
@@ -135,16 +135,16 @@ class Game {
     return true;
   }
   /// The system's answer made an assumption fail.
-  [[nodiscard]] bool over(const Step* last, const Step& step) const {
+  [[nodiscard]] bool over(const Step& step) const {
     for (const auto& c : spec_.env_safety)
-      if (!naive::steps(c.formula) && late(c.formula, !last) && !holds(c.formula, step, step)) return true;
+      if (!naive::steps(c.formula) && late(c.formula) && !holds(c.formula, step, step)) return true;
     return false;
   }
 
  private:
   const spec::Gr1& spec_;
   Evaluator holds_;
-  std::set<std::string> chosen_, start_chosen_;
+  std::set<std::string> chosen_{"y"};  ///< What depends on the system's outputs.
 };
 
 const std::vector<Step>& letters() {
@@ -253,7 +253,8 @@ class Judge {
       const Step& step = row->second.step;
       answers.insert({step.at("y"), step.at("k")});
       if (!columns_right(last, step) || !game_.kept(last, step)) return false;
-      if (!game_.over(last, step)) connect(n, {row->second.next, step});
+      if (n == 0 && !game_.assumed(step)) return false;
+      if (!game_.over(step)) connect(n, {row->second.next, step});
     }
     if (n == 0 && game_.spec().initial == spec::InitialQuantifiers::ExistsForall && answers.size() > 1)
       return false;
