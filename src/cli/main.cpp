@@ -1,1 +1,95 @@
-int main() { return 0; }
+#include "arguments.h"
+#include "help.h"
+#include "output.h"
+#include "table.h"
+
+#include <heed/util/diagnostic.h>
+#include <heed/util/limits.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <new>
+
+namespace {
+
+using namespace heed;
+
+constexpr int bad_input = 2, limit_reached = 3, internal_error = 4;
+
+/// A message in the form that was asked for: text to standard error, or the one JSON document to standard
+/// output.
+int fail(bool json, int code, const util::Diagnostic& diagnostic) {
+  if (json) {
+    cli::Json out;
+    out["error"] = cli::to_json(diagnostic);
+    out["exit_code"] = code;
+    cli::print_json(out);
+  } else {
+    fmt::print(stderr, "{}\n", util::to_string(diagnostic));
+  }
+  return code;
+}
+
+util::Diagnostic plain(std::string code, std::string message, std::string hint = {}) {
+  return {util::Severity::Error, {}, std::move(code), std::move(message), std::move(hint), {}};
+}
+
+int run(const cli::Command& command, const std::vector<std::string>& words) {
+  const bool json = std::find(words.begin(), words.end(), "--json") != words.end();
+  try {
+    return command.run(cli::parse_arguments(command, words));
+  } catch (const cli::UsageError& error) {
+    return fail(json, bad_input, plain("usage", error.what(), error.hint()));
+  } catch (const util::InputError& error) {
+    return fail(json, bad_input, error.diagnostic());
+  } catch (const util::LimitExceeded& error) {
+    return fail(json, limit_reached, plain("limit", error.what(), "raise it with --timeout or --memory"));
+  } catch (const std::bad_alloc&) {
+    return fail(json, limit_reached, plain("limit", "out of memory"));
+  } catch (const std::exception& error) {
+    return fail(json, internal_error,
+                plain("internal", error.what(), "this is a defect of heed; please report it with the input"));
+  }
+}
+
+const cli::Command* find(const std::string& name) {
+  const auto& commands = cli::commands();
+  const auto found =
+      std::find_if(commands.begin(), commands.end(), [&](const cli::Command& c) { return c.name == name; });
+  return found == commands.end() ? nullptr : &*found;
+}
+
+int unknown_command(const std::string& name) {
+  std::vector<std::string> names;
+  for (const cli::Command& command : cli::commands()) names.emplace_back(command.name);
+  return fail(
+      false, bad_input,
+      plain("usage", fmt::format("there is no command '{}'", name), util::suggestion(name, names, 20)));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty() || words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
+    const cli::Command* command = words.size() > 1 ? find(words[1]) : nullptr;
+    cli::print(command != nullptr ? cli::help(*command) : cli::help());
+    return words.empty() ? bad_input : 0;
+  }
+  if (words[0] == "--version") words[0] = "version";
+  if (words[0] == "--man") return cli::print(cli::man_page()), 0;
+  if (words[0] == "--bash-completion") return cli::print(cli::bash_completion()), 0;
+  const cli::Command* command = find(words[0]);
+  if (command == nullptr) return unknown_command(words[0]);
+  words.erase(words.begin());
+  if (std::find_if(words.begin(), words.end(), [](const auto& w) { return w == "--help" || w == "-h"; }) !=
+      words.end()) {
+    cli::print(cli::help(*command));
+    return 0;
+  }
+  return run(*command, words);
+}

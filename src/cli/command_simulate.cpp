@@ -1,0 +1,140 @@
+#include "commands.h"
+#include "inputs.h"
+#include "output.h"
+
+#include <heed/job/evaluate.h>
+#include <heed/sim/rational.h>
+#include <heed/sim/statistics.h>
+#include <heed/util/diagnostic.h>
+#include <heed/util/file.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace heed::cli {
+namespace {
+
+/// What is simulated: scenario and what stands beside it.
+struct Setting {
+  const job::Scenario& scenario;
+  const job::World& world;
+  job::Thing thing;
+  job::EvaluateOptions options;
+};
+
+job::Thing thing_on_road(const Arguments& arguments, const job::Scenario& scenario, const job::World& world) {
+  const awareness::Catalogue& catalogue = world.knowledge.catalogue;
+  const std::string word = arguments.text("--thing");
+  if (word == "none") return std::nullopt;
+  if (!word.empty()) return catalogue.entity(word);
+  if (const auto& approached = scenario.evaluate->approached)
+    return catalogue.entity(awareness::Name(approached->text, approached->location));
+  throw UsageError("what is on the road?", "name it with --thing, or as 'approached' in [evaluate]");
+}
+
+std::vector<const job::ProfilePart*> chosen_profiles(const Arguments& arguments,
+                                                     const job::Scenario& scenario) {
+  const std::string wanted = arguments.text("--profile");
+  std::vector<const job::ProfilePart*> chosen;
+  std::vector<std::string> known;
+  for (const job::ProfilePart& profile : scenario.profiles) {
+    known.push_back(profile.spec.name);
+    if (wanted.empty() || wanted == profile.spec.name) chosen.push_back(&profile);
+  }
+  if (chosen.empty())
+    throw UsageError(fmt::format("the scenario has no profile '{}'", wanted),
+                     util::suggestion(wanted, known));
+  return chosen;
+}
+
+Json evaluation_json(const job::Evaluation& found, double confidence) {
+  Json out = Json::array();
+  for (std::size_t c = 0; c < found.categories.size(); ++c) {
+    Json bar;
+    bar["label"] = found.categories[c];
+    bar["exact"] = sim::fraction(found.exact.probability[c]);
+    bar["value"] = sim::to_double(found.exact.probability[c]);
+    if (found.sampled.traces > 0) {
+      const sim::Interval interval = sim::wilson(found.sampled.count[c], found.sampled.traces, confidence);
+      bar["sampled"] = found.sampled.count[c];
+      bar["low"] = interval.low;
+      bar["high"] = interval.high;
+    }
+    out.push_back(std::move(bar));
+  }
+  return out;
+}
+
+std::string evaluation_text(const job::Evaluation& found, double confidence) {
+  std::string out;
+  for (std::size_t c = 0; c < found.categories.size(); ++c) {
+    out +=
+        fmt::format("  {:<14} {:>8}  {:<20}", found.categories[c],
+                    sim::decimal(found.exact.probability[c], 6), sim::fraction(found.exact.probability[c]));
+    if (found.sampled.traces > 0) {
+      const sim::Interval interval = sim::wilson(found.sampled.count[c], found.sampled.traces, confidence);
+      out +=
+          fmt::format(" sampled {:.6f} [{:.6f}, {:.6f}]",
+                      static_cast<double>(found.sampled.count[c]) / static_cast<double>(found.sampled.traces),
+                      interval.low, interval.high);
+    }
+    out += '\n';
+  }
+  if (found.exact.undefined != 0)
+    out += fmt::format("  {:<14} {:>8}\n", "no answer", sim::decimal(found.exact.undefined, 6));
+  return out;
+}
+
+/// One controller: text to standard output, or JSON to \p documents.
+void simulate_controller(const Arguments& arguments, const Setting& setting, const model::Mealy& machine,
+                         util::Budget& budget, Json& documents) {
+  for (const job::ProfilePart* profile : chosen_profiles(arguments, setting.scenario)) {
+    const job::Evaluation found = job::evaluate(setting.scenario, setting.world, *profile, machine,
+                                                setting.thing, setting.options, budget);
+    const double confidence = setting.scenario.evaluate->confidence;
+    if (!arguments.json()) {
+      print(fmt::format("{} under {} ({})\n{}", machine.name, profile->spec.name, profile->title,
+                        evaluation_text(found, confidence)));
+      continue;
+    }
+    Json one;
+    one["controller"] = machine.name;
+    one["profile"] = profile->spec.name;
+    one["traces"] = found.sampled.traces;
+    one["outcomes"] = evaluation_json(found, confidence);
+    one["no_answer"] = sim::fraction(found.exact.undefined);
+    documents.push_back(std::move(one));
+  }
+}
+
+}  // namespace
+
+int simulate_command(const Arguments& arguments) {
+  const util::Limits limits = arguments.limits();
+  util::Budget budget(limits);
+  const job::Scenario scenario = load_scenario(arguments);
+  if (!scenario.evaluate || scenario.profiles.empty())
+    throw UsageError("the scenario has no [[profile]] and [evaluate]",
+                     "they say what is seen and what counts");
+  const job::World world = job::load_world(scenario, limits, budget);
+  Setting setting{scenario, world, thing_on_road(arguments, scenario, world), {}};
+  setting.options.traces =
+      arguments.number("--traces", 0, 1'000'000'000'000).value_or(scenario.evaluate->traces);
+  setting.options.seed = arguments.number("--seed", 0, INT64_MAX).value_or(scenario.evaluate->seed);
+  setting.options.threads = static_cast<unsigned>(arguments.number("--threads", 1, 256).value_or(1));
+  Json documents = Json::array();
+  for (std::size_t i = 1; i < arguments.operands().size(); ++i) {
+    const model::Mealy machine = model::read_mealy(util::read_file(arguments.operands()[i], limits), limits);
+    simulate_controller(arguments, setting, machine, budget, documents);
+  }
+  if (arguments.json()) {
+    Json out;
+    out["seed"] = setting.options.seed;
+    out["results"] = std::move(documents);
+    print_json(out);
+  }
+  return 0;
+}
+
+}  // namespace heed::cli

@@ -1,0 +1,121 @@
+#include "table.h"
+#include "commands.h"
+
+namespace heed::cli {
+namespace {
+
+const std::vector<Option> knowledge_options{
+    {"--entities", "NAMES", "guessed", "comma-separated",
+     "Roots of the entities, when the input is an ontology"},
+    {"--features", "NAMES", "guessed", "comma-separated", "Roots of the features"},
+    {"--behaviours", "NAMES", "guessed", "comma-separated", "Roots of the behaviours"},
+    {"--feature-roles", "NAMES", "all", "comma-separated", "Roles that bind features; sub-roles count"},
+    {"--action-roles", "NAMES", "all", "comma-separated", "Roles that bind behaviours; sub-roles count"},
+    {"--subclass-role", "NAME", "", "", "Role between individuals that means \"is a kind of\""}};
+
+std::vector<Option> with_knowledge(std::vector<Option> options) {
+  options.insert(options.end(), knowledge_options.begin(), knowledge_options.end());
+  return options;
+}
+
+const Option controller_option{"--controller", "NAME", "all", "", "Only this controller of the scenario"};
+const Option seed_option{"--seed", "N", "the scenario's", "0 ... 2^63-1", "Seed of the samples"};
+const Option traces_option{"--traces", "N", "the scenario's", "0 ... 10^12",
+                           "Sampled traces per chart; 0 for exact figures only"};
+const Option threads_option{"--threads", "N", "1", "1 ... 256",
+                            "Threads that sample; never changes a figure"};
+
+std::vector<Command> make_commands() {
+  return {
+      {"run",
+       "Do a whole job: synthesize, verify, evaluate, report",
+       {{"SCENARIO", "Scenario file (docs/formats/scenario.md)"}},
+       {{"--output", "DIR", "out/<scenario>", "", "Folder for controllers, specifications and the report"},
+        seed_option,
+        traces_option,
+        threads_option,
+        {"--details", "", "", "", "Also print the formulas of the knowledge base with their axioms"}},
+       "heed run examples/stop-sign/stop-sign.toml -o out/stop-sign",
+       run_command},
+      {"kb",
+       "Show what is known: hierarchy, catalogue, warnings",
+       {{"ONTOLOGY", "OWL file, or a scenario"}},
+       with_knowledge({{"--quiet", "", "", "", "Only the warnings"}}),
+       "heed kb examples/stop-sign/traffic-signs.owl",
+       kb_command},
+      {"explain",
+       "Trace an entity, a behaviour, a formula or a reaction back to axioms",
+       {{"SOURCE", "Scenario or OWL file"},
+        {"WHAT", "Entity, behaviour or formula (k3); default: every warning", false}},
+       with_knowledge({controller_option,
+                       {"--seen", "SYMBOLS", "", "comma-separated",
+                        "What is perceived: why is WHAT recognised or prescribed then"}}),
+       "heed explain examples/stop-sign/stop-sign.toml Halt --controller awareness --seen sign,red",
+       explain_command},
+      {"spec",
+       "Print the knowledge base in LTL and the game that is played",
+       {{"SCENARIO", "Scenario file"}},
+       {controller_option,
+        {"--sigma", "", "", "", "Only the knowledge base in LTL"},
+        {"--gr1", "", "", "", "Only the specification, as a file that heed synth reads"},
+        {"--unicode", "", "", "", "Formulas with mathematical symbols"}},
+       "heed spec examples/stop-sign/stop-sign.toml --controller awareness",
+       spec_command},
+      {"synth",
+       "Synthesize a controller from a specification",
+       {{"SPEC", "Specification file (docs/formats/gr1.md)"}},
+       {{"--output", "FILE", "standard output", "", "Where the controller goes"},
+        {"--realizability", "", "", "", "Only ask: print REALIZABLE or UNREALIZABLE"},
+        {"--on-violation", "WORD", "undefined", "undefined|latch", "What answers an illegal observation"},
+        {"--exit-code", "STYLE", "heed", "heed|syntcomp", "0 and 1, or 10 and 20"}},
+       "heed synth out/stop-sign/awareness.gr1 -o awareness.controller.json",
+       synth_command},
+      {"verify",
+       "Check a controller against a specification, sharing no code with the solver",
+       {{"CONTROLLER", "Controller file"}, {"SPEC", "Specification file"}},
+       {{"--most", "N", "1", "1 ... 1000", "How many faults to look for"}},
+       "heed verify out/stop-sign/awareness.controller.json out/stop-sign/awareness.gr1",
+       verify_command},
+      {"simulate",
+       "Evaluate controllers from disk, exactly and by samples",
+       {{"SCENARIO", "Scenario file"}, {"CONTROLLER", "Controller files", true, true}},
+       {{"--profile", "NAME", "all", "", "Only this profile of the scenario"},
+        {"--thing", "NAME", "the scenario's", "", "Entity on the road, or \"none\""},
+        seed_option,
+        traces_option,
+        threads_option},
+       "heed simulate examples/stop-sign/stop-sign.toml out/stop-sign/awareness.controller.json --profile P2",
+       simulate_command},
+      {"export",
+       "Write a controller as code or as a graph",
+       {{"CONTROLLER", "Controller file"}},
+       {{"--to", "FORMAT", "cpp", "cpp|json|dot", "C++17 header, JSON or Graphviz"},
+        {"--output", "FILE", "standard output", "", "Where it goes"}},
+       "heed export out/stop-sign/awareness.controller.json --to cpp -o awareness.hpp",
+       export_command},
+      {"exec",
+       "Run a controller: one JSON observation a line in, one JSON reaction a line out",
+       {{"CONTROLLER", "Controller file"}},
+       {},
+       "echo '{\"sign\": true, \"red\": true}' | heed exec out/stop-sign/awareness.controller.json",
+       exec_command},
+      {"version", "Print the version", {}, {}, "heed version", version_command}};
+}
+
+}  // namespace
+
+const std::vector<Option>& common_options() {
+  static const std::vector<Option> options{
+      {"--json", "", "", "", "One JSON document on standard output and nothing else"},
+      {"--timeout", "SECONDS", "none", "> 0", "Wall clock; then exit 3"},
+      {"--memory", "SIZE", "4G", "bytes, or with K, M, G", "Resident memory; then exit 3"},
+      {"--max-input", "SIZE", "64M", "bytes, or with K, M, G", "Largest input file"}};
+  return options;
+}
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> table = make_commands();
+  return table;
+}
+
+}  // namespace heed::cli
