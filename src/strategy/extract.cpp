@@ -86,6 +86,7 @@ class Extractor {
     builder_.add_state();
     for (std::size_t i = 0; i < states_.size(); ++i) expand(static_cast<std::uint32_t>(i));
     add_assumptions();
+    if (relies_) builder_.add_note("somewhere it can only wait for an assumption to fail");
     return {builder_.finish(), relies_};
   }
 

@@ -22,6 +22,21 @@ struct Counts {
   std::uint64_t realizable = 0, unrealizable = 0, waiting = 0, cores = 0;
 };
 
+/// Latched, every state answers every observation, unless the environment cannot move there, and keeps what
+/// it kept.
+void compare_latched(std::uint64_t seed, const spec::Gr1& spec, const reference::Rules& rules) {
+  util::Budget budget;
+  strategy::Options latch;
+  latch.on_violation = strategy::OnViolation::Latch;
+  const model::Mealy machine = *strategy::synthesize(spec, budget, latch).machine;
+  for (std::uint32_t state = 0; state < machine.state_count(); ++state) {
+    const std::size_t rows = machine.first[state + 1] - machine.first[state];
+    EXPECT_TRUE(rows == 0 || rows == rules.inputs().size()) << "seed " << seed << " state " << state;
+  }
+  EXPECT_EQ(reference::fault(machine, rules), "") << "latched, seed " << seed;
+  EXPECT_TRUE(check::verify(machine, spec, budget).verified) << "latched, seed " << seed;
+}
+
 void compare(std::uint64_t seed, Counts& counts) {
   const spec::Gr1 spec = reference::random_spec(seed);
   const reference::Rules rules(spec);
@@ -46,6 +61,7 @@ void compare(std::uint64_t seed, Counts& counts) {
                                 << "\n"
                                 << spec::write_gr1(spec);
   EXPECT_EQ(reference::fault(*result.machine, rules), "") << "seed " << seed << "\n" << spec::write_gr1(spec);
+  if (seed % 4 == 0) compare_latched(seed, spec, rules);
 }
 
 TEST(GameDifferential, VerdictsAndMachinesAgreeWithTheExplicitReference) {
