@@ -29,7 +29,8 @@ class Entailment {
   bool operator()(const owl::SubObjectPropertyOf& a) { return ask().role_inclusion(a.chain, a.super); }
   bool operator()(const owl::EquivalentObjectProperties& a) {
     for (std::size_t i = 0; i + 1 < a.properties.size(); ++i)
-      if (!ask().role_inclusion({a.properties[i]}, a.properties[i + 1]) || !ask().role_inclusion({a.properties[i + 1]}, a.properties[i]))
+      if (!ask().role_inclusion({a.properties[i]}, a.properties[i + 1]) ||
+          !ask().role_inclusion({a.properties[i + 1]}, a.properties[i]))
         return false;
     return true;
   }
@@ -46,12 +47,18 @@ class Entailment {
   bool operator()(const owl::ObjectPropertyCharacteristic& a) {
     const owl::ObjectProperty against{a.property.iri, !a.property.inverse};
     switch (a.characteristic) {
-      case owl::Characteristic::Functional: return ask().functional(a.property);
-      case owl::Characteristic::InverseFunctional: return ask().functional(against);
-      case owl::Characteristic::Transitive: return ask().role_inclusion({a.property, a.property}, a.property);
-      case owl::Characteristic::Symmetric: return ask().role_inclusion({a.property}, against);
-      case owl::Characteristic::Reflexive: return below(ClassExpression::thing(), ClassExpression::has_self(a.property));
-      default: return base_.inconsistent();
+      case owl::Characteristic::Functional:
+        return ask().functional(a.property);
+      case owl::Characteristic::InverseFunctional:
+        return ask().functional(against);
+      case owl::Characteristic::Transitive:
+        return ask().role_inclusion({a.property, a.property}, a.property);
+      case owl::Characteristic::Symmetric:
+        return ask().role_inclusion({a.property}, against);
+      case owl::Characteristic::Reflexive:
+        return below(ClassExpression::thing(), ClassExpression::has_self(a.property));
+      default:
+        return base_.inconsistent();
     }
   }
   bool operator()(const owl::SubDataPropertyOf& a) { return ask().data_role_inclusion(a.sub, a.super); }
@@ -62,7 +69,8 @@ class Entailment {
   }
   bool operator()(const owl::DataPropertyRange& a) {
     using Kind = ClassExpression::Kind;
-    return below(ClassExpression::thing(), ClassExpression::data_quantified(Kind::DataOnly, {a.property}, a.range));
+    return below(ClassExpression::thing(),
+                 ClassExpression::data_quantified(Kind::DataOnly, {a.property}, a.range));
   }
   bool operator()(const owl::SameIndividual& a) {
     for (std::size_t i = 0; i + 1 < a.individuals.size(); ++i)
@@ -95,7 +103,9 @@ class Entailment {
  private:
   static constexpr owl::Iri literal_type = owl::vocabulary::rdfs_literal;
   Question ask() { return {base_, budget_}; }
-  bool below(const ClassExpression& sub, const ClassExpression& super) { return ask().subsumption(sub, super); }
+  bool below(const ClassExpression& sub, const ClassExpression& super) {
+    return ask().subsumption(sub, super);
+  }
   bool disjoint(const std::vector<ClassExpression>& classes) {
     for (std::size_t i = 0; i < classes.size(); ++i)
       for (std::size_t j = i + 1; j < classes.size(); ++j)

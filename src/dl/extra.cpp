@@ -11,7 +11,8 @@ Concept ExtraTheory::find(ConceptNode node) const {
 
 Concept ExtraTheory::intern(ConceptNode node) {
   const Concept known = base_.find(node);
-  const bool is_name = node.kind == ConceptKind::Class || node.kind == ConceptKind::Individual || node.kind == ConceptKind::Data;
+  const bool is_name = node.kind == ConceptKind::Class || node.kind == ConceptKind::Individual ||
+                       node.kind == ConceptKind::Data;
   if (known != nothing_known && (is_name || known <= bottom || base_.node(known).right)) return known;
   if (const Concept mine = find(node); mine != nothing_known) return mine;
   nodes_.push_back(node);

@@ -8,7 +8,8 @@
 
 namespace heed::dl {
 
-/// Names for the parts of a question that the theory does not have on the right. They number on from the theory's.
+/// Names for the parts of a question that the theory does not have on the right. They number on from the
+/// theory's.
 class ExtraTheory : public ConceptSink {
  public:
   explicit ExtraTheory(const Theory& base) : base_(base) {}
@@ -26,7 +27,9 @@ class ExtraTheory : public ConceptSink {
   [[nodiscard]] const std::vector<std::pair<Concept, Concept>>& negations() const { return negations_; }
 
  protected:
-  [[nodiscard]] const ConceptNode& node_of(Concept c) const override { return c < base_.size() ? base_.node(c) : node(c); }
+  [[nodiscard]] const ConceptNode& node_of(Concept c) const override {
+    return c < base_.size() ? base_.node(c) : node(c);
+  }
 
  private:
   Concept data(const std::string& key);

@@ -8,8 +8,8 @@
 
 namespace heed::dl {
 
-/// Finds the place of a key in a list that its owner keeps; small lists are scanned, larger ones hashed (open addressing).
-/// \tparam KeyOf  From a place to the key there.
+/// Finds the place of a key in a list that its owner keeps; small lists are scanned, larger ones hashed (open
+/// addressing). \tparam KeyOf  From a place to the key there.
 class IndexSet {
  public:
   static constexpr std::uint32_t none = UINT32_MAX;

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <functional>
 
-// The saturation notes for each conclusion the premises of its first derivation. Following them back from an answer gives
-// a set of axioms that suffices and is small, mostly minimal already. Then axioms are taken out, in ever smaller chunks and
-// at last one by one; what must stay stays. Following all derivations instead would give all justifications, which nobody
-// here needs and which may be exponentially many.
+// The saturation notes for each conclusion the premises of its first derivation. Following them back from an
+// answer gives a set of axioms that suffices and is small, mostly minimal already. Then axioms are taken out,
+// in ever smaller chunks and at last one by one; what must stay stays. Following all derivations instead
+// would give all justifications, which nobody here needs and which may be exponentially many.
 
 namespace heed::dl {
 
@@ -40,7 +40,8 @@ class Justifier::Impl {
     Question question(whole->base, budget);
     if (!ask(question)) return std::nullopt;
     std::vector<owl::AxiomId> kept = question.axioms();
-    for (std::size_t chunk = std::max<std::size_t>(kept.size() / 4, 1);; chunk = std::max<std::size_t>(chunk / 2, 1)) {
+    for (std::size_t chunk = std::max<std::size_t>(kept.size() / 4, 1);;
+         chunk = std::max<std::size_t>(chunk / 2, 1)) {
       contract(kept, chunk, ask);
       if (chunk == 1) return kept;
     }
@@ -82,12 +83,14 @@ std::optional<std::vector<owl::AxiomId>> Justifier::unsatisfiable(const owl::Cla
   return impl_->justify([&](Question& question) { return !question.satisfiable(expression); });
 }
 
-std::optional<std::vector<owl::AxiomId>> Justifier::type(owl::Iri individual, const owl::ClassExpression& of) {
+std::optional<std::vector<owl::AxiomId>> Justifier::type(owl::Iri individual,
+                                                         const owl::ClassExpression& of) {
   return impl_->justify([&](Question& question) { return question.type(individual, of); });
 }
 
 std::optional<std::vector<owl::AxiomId>> Justifier::inconsistent() {
-  return impl_->justify([&](Question& question) { return !question.satisfiable(owl::ClassExpression::thing()); });
+  return impl_->justify(
+      [&](Question& question) { return !question.satisfiable(owl::ClassExpression::thing()); });
 }
 
 }  // namespace heed::dl

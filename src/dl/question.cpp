@@ -17,10 +17,14 @@ ContextId Question::saturated(std::vector<Concept> core) {
   return id;
 }
 
-ContextId Question::context_of(const ClassExpression& sub) { return saturated({extra_.translate(sub)}); }
+ContextId Question::context_of(const ClassExpression& sub) {
+  return saturated({extra_.translate(sub)});
+}
 
 /// A class of which nothing is known.
-Concept Question::fresh() { return extra_.intern({ConceptKind::Unknown, ++fresh_count_, 0}); }
+Concept Question::fresh() {
+  return extra_.intern({ConceptKind::Unknown, ++fresh_count_, 0});
+}
 
 bool Question::unsatisfiable(ContextId x) {
   if (base_.inconsistent()) {
@@ -32,7 +36,9 @@ bool Question::unsatisfiable(ContextId x) {
   return true;
 }
 
-bool Question::satisfiable(const ClassExpression& expression) { return !unsatisfiable(context_of(expression)); }
+bool Question::satisfiable(const ClassExpression& expression) {
+  return !unsatisfiable(context_of(expression));
+}
 
 bool Question::subsumption(const ClassExpression& sub, const ClassExpression& super) {
   return ask({extra_.translate(sub)}, super);
@@ -45,7 +51,8 @@ bool Question::type(owl::Iri individual, const ClassExpression& of) {
 /// Splits conjunctions, moves complements to the left; the rest is looked up.
 bool Question::ask(std::vector<Concept> core, const ClassExpression& super) {
   if (super.depth() > 1000)
-    throw util::LimitExceeded(util::LimitExceeded::Kind::Size, "a class expression that is asked for nests more than 1000 deep");
+    throw util::LimitExceeded(util::LimitExceeded::Kind::Size,
+                              "a class expression that is asked for nests more than 1000 deep");
   std::vector<const ClassExpression*> open = {&super};
   while (!open.empty()) {
     const ClassExpression& next = *open.back();
@@ -66,25 +73,33 @@ bool Question::ask_simple(const std::vector<Concept>& core, const ClassExpressio
     return more;
   };
   switch (super.kind()) {
-    case Kind::Complement: return unsatisfiable(saturated(with(extra_.translate(super.filler()))));
+    case Kind::Complement:
+      return unsatisfiable(saturated(with(extra_.translate(super.filler()))));
     case Kind::Max:
       if (super.cardinality() == 0)
-        return unsatisfiable(saturated(with(extra_.some(extra_.role_of(super.property()), extra_.translate(super.filler())))));
+        return unsatisfiable(
+            saturated(with(extra_.some(extra_.role_of(super.property()), extra_.translate(super.filler())))));
       break;
     case Kind::Exactly:
-      return ask_simple(core, ClassExpression::cardinality_of(Kind::Min, super.cardinality(), super.property(), super.filler())) &&
-             ask_simple(core, ClassExpression::cardinality_of(Kind::Max, super.cardinality(), super.property(), super.filler()));
-    case Kind::Only: return ask_universal(core, extra_.role_of(super.property()), &super.filler(), top);
+      return ask_simple(core, ClassExpression::cardinality_of(Kind::Min, super.cardinality(),
+                                                              super.property(), super.filler())) &&
+             ask_simple(core, ClassExpression::cardinality_of(Kind::Max, super.cardinality(),
+                                                              super.property(), super.filler()));
+    case Kind::Only:
+      return ask_universal(core, extra_.role_of(super.property()), &super.filler(), top);
     case Kind::DataOnly:
       if (super.data_properties().size() != 1) return false;
-      return ask_universal(core, extra_.role_of(super.data_properties().front(), true), nullptr, extra_.data_range(super.range()));
-    default: break;
+      return ask_universal(core, extra_.role_of(super.data_properties().front(), true), nullptr,
+                           extra_.data_range(super.range()));
+    default:
+      break;
   }
   return holds(saturated(core), super);
 }
 
 /// X is below `only R C` when any successor along R, of which nothing else is known, is a C.
-bool Question::ask_universal(std::vector<Concept> core, Role role, const ClassExpression* filler, Concept value) {
+bool Question::ask_universal(std::vector<Concept> core, Role role, const ClassExpression* filler,
+                             Concept value) {
   const Concept successor = fresh();
   core.push_back(extra_.some(role, successor));
   const ContextId x = saturated(std::move(core));
@@ -145,15 +160,19 @@ bool Question::holds(ContextId x, const ClassExpression& e) {
   if (unsatisfiable(x)) return true;
   const auto data_role = [&] { return extra_.role_of(e.data_properties().front(), true); };
   switch (e.kind()) {
-    case Kind::Class: return e.is_thing() || (!e.is_nothing() && holds_concept(x, extra_.translate(e)));
-    case Kind::Intersection: return holds_every(x, e.operands());
+    case Kind::Class:
+      return e.is_thing() || (!e.is_nothing() && holds_concept(x, extra_.translate(e)));
+    case Kind::Intersection:
+      return holds_every(x, e.operands());
     case Kind::Union:
-      return std::any_of(e.operands().begin(), e.operands().end(), [&](const auto& part) { return holds(x, part); });
+      return std::any_of(e.operands().begin(), e.operands().end(),
+                         [&](const auto& part) { return holds(x, part); });
     case Kind::OneOf:
       return std::any_of(e.individuals().begin(), e.individuals().end(), [&](owl::Iri iri) {
         return holds_concept(x, extra_.intern({ConceptKind::Individual, iri.id, 0}));
       });
-    case Kind::Some: return holds_link(x, extra_.role_of(e.property()), &e.filler(), top);
+    case Kind::Some:
+      return holds_link(x, extra_.role_of(e.property()), &e.filler(), top);
     case Kind::HasValue: {
       const Concept value = extra_.intern({ConceptKind::Individual, e.individuals().front().id, 0});
       return holds_link(x, extra_.role_of(e.property()), nullptr, value);
@@ -161,26 +180,37 @@ bool Question::holds(ContextId x, const ClassExpression& e) {
     case Kind::Min:
       if (e.cardinality() == 0) return true;
       if (e.cardinality() == 1) return holds_link(x, extra_.role_of(e.property()), &e.filler(), top);
-      return holds_concept(x, base_.theory().find({ConceptKind::AtLeast, extra_.some(extra_.role_of(e.property()), extra_.translate(e.filler())), e.cardinality()}));
-    case Kind::Max: return e.cardinality() >= 1 && holds_at_most(x, extra_.role_of(e.property()));
-    case Kind::DataSome: return e.data_properties().size() == 1 && holds_link(x, data_role(), nullptr, extra_.data_range(e.range()));
+      return holds_concept(
+          x, base_.theory().find({ConceptKind::AtLeast,
+                                  extra_.some(extra_.role_of(e.property()), extra_.translate(e.filler())),
+                                  e.cardinality()}));
+    case Kind::Max:
+      return e.cardinality() >= 1 && holds_at_most(x, extra_.role_of(e.property()));
+    case Kind::DataSome:
+      return e.data_properties().size() == 1 &&
+             holds_link(x, data_role(), nullptr, extra_.data_range(e.range()));
     case Kind::DataHasValue: {
       const Concept known = base_.theory().data_concept(Theory::key_of(e.literal()).text);
       return known != nothing_known ? holds_link(x, data_role(), nullptr, known)
                                     : holds_link(x, data_role(), nullptr, extra_.literal_alone(e.literal()));
     }
     case Kind::DataMin:
-      return e.cardinality() == 0 || (e.cardinality() == 1 && holds_link(x, data_role(), nullptr, extra_.data_range(e.range())));
-    case Kind::DataMax: return e.cardinality() >= 1 && holds_at_most(x, data_role());
-    case Kind::HasSelf: return holds_concept(x, base_.theory().find({ConceptKind::Self, extra_.role_of(e.property()), 0}));
-    default: return false;
+      return e.cardinality() == 0 ||
+             (e.cardinality() == 1 && holds_link(x, data_role(), nullptr, extra_.data_range(e.range())));
+    case Kind::DataMax:
+      return e.cardinality() >= 1 && holds_at_most(x, data_role());
+    case Kind::HasSelf:
+      return holds_concept(x, base_.theory().find({ConceptKind::Self, extra_.role_of(e.property()), 0}));
+    default:
+      return false;
   }
 }
 
 bool Question::role_inclusion(const std::vector<owl::ObjectProperty>& chain, owl::ObjectProperty super) {
   const Concept end = fresh();
   Concept path = end;
-  for (auto step = chain.rbegin(); step != chain.rend(); ++step) path = extra_.some(extra_.role_of(*step), path);
+  for (auto step = chain.rbegin(); step != chain.rend(); ++step)
+    path = extra_.some(extra_.role_of(*step), path);
   const ContextId x = saturated({fresh(), path});
   return unsatisfiable(x) || holds_link(x, extra_.role_of(super), nullptr, end);
 }
@@ -191,6 +221,8 @@ bool Question::data_role_inclusion(owl::Iri sub, owl::Iri super) {
   return unsatisfiable(x) || holds_link(x, extra_.role_of(super, true), nullptr, end);
 }
 
-bool Question::functional(owl::ObjectProperty property) { return holds_at_most(saturated({top}), extra_.role_of(property)); }
+bool Question::functional(owl::ObjectProperty property) {
+  return holds_at_most(saturated({top}), extra_.role_of(property));
+}
 
 }  // namespace heed::dl

@@ -40,14 +40,16 @@ class Reasoner::Impl {
       if (theory.class_concept(classes[i]) == nothing_known)
         supers[i].insert(std::upper_bound(supers[i].begin(), supers[i].end(), classes[i]), classes[i]);
     }
-    const std::vector<owl::Iri> thing = base.inconsistent() ? std::vector<owl::Iri>{} : named(base.at(top_context));
+    const std::vector<owl::Iri> thing =
+        base.inconsistent() ? std::vector<owl::Iri>{} : named(base.at(top_context));
     taxonomy = build_taxonomy(classes, supers, unsatisfiable, thing, ontology.iri_count());
   }
 
   [[nodiscard]] std::vector<owl::Iri> named(const Context& x) const {
     std::vector<owl::Iri> out;
     for (const Concept c : x.subsumers)
-      if (c < theory.size() && theory.node(c).kind == ConceptKind::Class) out.push_back(owl::Iri{theory.node(c).a});
+      if (c < theory.size() && theory.node(c).kind == ConceptKind::Class)
+        out.push_back(owl::Iri{theory.node(c).a});
     std::sort(out.begin(), out.end());
     return out;
   }
@@ -66,14 +68,23 @@ Reasoner::~Reasoner() = default;
 Reasoner::Reasoner(Reasoner&&) noexcept = default;
 Reasoner& Reasoner::operator=(Reasoner&&) noexcept = default;
 
-const owl::Ontology& Reasoner::ontology() const { return impl_->ontology; }
-bool Reasoner::consistent() const { return !impl_->base.inconsistent(); }
-const Taxonomy& Reasoner::taxonomy() const { return impl_->taxonomy; }
-const std::vector<Dropped>& Reasoner::incomplete() const { return impl_->theory.dropped(); }
+const owl::Ontology& Reasoner::ontology() const {
+  return impl_->ontology;
+}
+bool Reasoner::consistent() const {
+  return !impl_->base.inconsistent();
+}
+const Taxonomy& Reasoner::taxonomy() const {
+  return impl_->taxonomy;
+}
+const std::vector<Dropped>& Reasoner::incomplete() const {
+  return impl_->theory.dropped();
+}
 
 bool Reasoner::satisfiable(owl::Iri named_class) const {
   if (!consistent() || named_class == v::owl_nothing) return false;
-  if (named_class.id >= impl_->contexts.size() || impl_->contexts[named_class.id] == nothing_known) return true;
+  if (named_class.id >= impl_->contexts.size() || impl_->contexts[named_class.id] == nothing_known)
+    return true;
   return !impl_->base.at(impl_->contexts[named_class.id]).unsatisfiable;
 }
 
@@ -87,10 +98,13 @@ bool Reasoner::subsumes(owl::Iri super, owl::Iri sub) const {
 
 std::vector<owl::Iri> Reasoner::superclasses(owl::Iri named_class) const {
   if (!satisfiable(named_class)) return impl_->ontology.entities(owl::EntityKind::Class);
-  const bool known = named_class.id < impl_->contexts.size() && impl_->contexts[named_class.id] != nothing_known;
-  std::vector<owl::Iri> out = impl_->named(impl_->base.at(known ? impl_->contexts[named_class.id] : impl_->top_context));
+  const bool known =
+      named_class.id < impl_->contexts.size() && impl_->contexts[named_class.id] != nothing_known;
+  std::vector<owl::Iri> out =
+      impl_->named(impl_->base.at(known ? impl_->contexts[named_class.id] : impl_->top_context));
   const auto place = std::lower_bound(out.begin(), out.end(), named_class);
-  if (named_class != v::owl_thing && (place == out.end() || *place != named_class)) out.insert(place, named_class);
+  if (named_class != v::owl_thing && (place == out.end() || *place != named_class))
+    out.insert(place, named_class);
   return out;
 }
 
@@ -98,7 +112,8 @@ std::vector<owl::Iri> Reasoner::types(owl::Iri individual, bool direct) const {
   if (!consistent()) return impl_->ontology.entities(owl::EntityKind::Class);
   util::Budget budget;
   Question question(impl_->base, budget);
-  std::vector<owl::Iri> out = impl_->named(question.at(question.context_of(owl::ClassExpression::one_of({individual}))));
+  std::vector<owl::Iri> out =
+      impl_->named(question.at(question.context_of(owl::ClassExpression::one_of({individual}))));
   if (!direct) return out;
   const std::vector<owl::Iri> all = out;
   std::erase_if(out, [&](owl::Iri general) {
@@ -115,7 +130,8 @@ bool Reasoner::satisfiable(const owl::ClassExpression& expression) const {
 }
 
 bool Reasoner::entails_subsumption(const owl::ClassExpression& sub, const owl::ClassExpression& super) const {
-  if (sub.is_named() && super.is_named()) return super.is_nothing() ? !satisfiable(sub.iri()) : subsumes(super.iri(), sub.iri());
+  if (sub.is_named() && super.is_named())
+    return super.is_nothing() ? !satisfiable(sub.iri()) : subsumes(super.iri(), sub.iri());
   util::Budget budget;
   return Question(impl_->base, budget).subsumption(sub, super);
 }

@@ -28,7 +28,8 @@ ContextId Saturation::context(std::vector<Concept> core) {
   if (core.empty()) core.push_back(top);
   if (base_ != nullptr)
     if (const auto known = base_->cores_.find(core); known != base_->cores_.end()) return known->second;
-  const auto [entry, is_new] = cores_.try_emplace(std::move(core), first_ + static_cast<ContextId>(contexts_.size()));
+  const auto [entry, is_new] =
+      cores_.try_emplace(std::move(core), first_ + static_cast<ContextId>(contexts_.size()));
   if (!is_new) return entry->second;
   const ContextId id = entry->second;
   contexts_.emplace_back();
@@ -133,8 +134,8 @@ void Saturation::process_bottom(ContextId id, Fact fact) {
   for (const Link& edge : x.predecessors) derive(edge.other, bottom, edge.fact, fact, 0);
 }
 
-/// What a concept on the right says by itself. For one that only stands on the left nothing is done: it was derived from
-/// what this would give.
+/// What a concept on the right says by itself. For one that only stands on the left nothing is done: it was
+/// derived from what this would give.
 void Saturation::decompose(ContextId id, Concept c, Fact fact) {
   const ConceptNode n = node(c);
   if (c < theory_.size() && !n.right && n.kind != ConceptKind::Individual) return;
@@ -142,10 +143,14 @@ void Saturation::decompose(ContextId id, Concept c, Fact fact) {
     case ConceptKind::And:
       derive(id, n.a, fact, no_fact, 0);
       return derive(id, n.b, fact, no_fact, 0);
-    case ConceptKind::Some: return existential(id, c, fact);
-    case ConceptKind::AtLeast: return derive(id, n.a, fact, no_fact, 0);
-    case ConceptKind::Self: return self(id, n.a, fact);
-    case ConceptKind::Individual: return nominal(id, c, fact);
+    case ConceptKind::Some:
+      return existential(id, c, fact);
+    case ConceptKind::AtLeast:
+      return derive(id, n.a, fact, no_fact, 0);
+    case ConceptKind::Self:
+      return self(id, n.a, fact);
+    case ConceptKind::Individual:
+      return nominal(id, c, fact);
     case ConceptKind::All: {
       Context& x = own(id);
       x.universals.push_back({n.a, n.b, fact});
@@ -158,7 +163,8 @@ void Saturation::decompose(ContextId id, Concept c, Fact fact) {
       for (std::size_t i = 0; i < x.successors.size(); ++i) merge_functional(id, Link(x.successors[i]));
       return;
     }
-    default: return;
+    default:
+      return;
   }
 }
 
@@ -216,7 +222,8 @@ void Saturation::nominal(ContextId id, Concept c, Fact fact) {
   if (individual == id) return;
   if (is_own(individual)) own(individual).followers.push_back(id);
   const Context& y = at(individual);
-  for (std::size_t i = 0; i < y.mirrored.size(); ++i) derive(id, y.mirrored[i], fact_of(individual, y.mirrored[i]), fact, 0);
+  for (std::size_t i = 0; i < y.mirrored.size(); ++i)
+    derive(id, y.mirrored[i], fact_of(individual, y.mirrored[i]), fact, 0);
   if (at(id).nonempty) mirror(id, individual, fact);
 }
 

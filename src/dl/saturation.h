@@ -39,25 +39,25 @@ struct Group {
 
 /// The things that have all concepts of `core`, and what follows for them.
 struct Context {
-  std::vector<Concept> core;        ///< Ascending.
-  std::vector<Concept> subsumers;   ///< In order of derivation.
-  std::vector<Fact> facts;          ///< Beside it, where derivations are recorded.
-  IndexSet places;                  ///< Of subsumers.
-  std::vector<Concept> fillers;     ///< Those subsumers that some existential on the left has as filler.
+  std::vector<Concept> core;       ///< Ascending.
+  std::vector<Concept> subsumers;  ///< In order of derivation.
+  std::vector<Fact> facts;         ///< Beside it, where derivations are recorded.
+  IndexSet places;                 ///< Of subsumers.
+  std::vector<Concept> fillers;    ///< Those subsumers that some existential on the left has as filler.
   std::vector<Link> successors, predecessors;
   IndexSet successor_places;
   std::vector<Universal> universals;
   std::vector<Group> groups;
   std::vector<std::pair<Role, Fact>> at_most_one;
   std::vector<std::pair<std::uint32_t, Concept>> memberships;
-  std::vector<ContextId> mirrors;   ///< Contexts of individuals that this nonempty one equals.
-  std::vector<ContextId> followers; ///< Of an individual: contexts below it.
-  std::vector<Concept> mirrored;    ///< Of an individual: what came from a context that equals it.
+  std::vector<ContextId> mirrors;    ///< Contexts of individuals that this nonempty one equals.
+  std::vector<ContextId> followers;  ///< Of an individual: contexts below it.
+  std::vector<Concept> mirrored;     ///< Of an individual: what came from a context that equals it.
   bool unsatisfiable = false, nonempty = false;
 };
 
-/// Consequences by rules over contexts until nothing is new. Two uses: the base (a theory, all its contexts) and a
-/// question over a finished base, which reads the base's contexts and only ever fills its own.
+/// Consequences by rules over contexts until nothing is new. Two uses: the base (a theory, all its contexts)
+/// and a question over a finished base, which reads the base's contexts and only ever fills its own.
 ///
 ///     X: C,  C [= D told                        =>  X: D
 ///     X: C and D on the left somewhere          =>  X: C and D
@@ -69,7 +69,8 @@ struct Context {
 ///     X -R-> K, K: bottom                       =>  X: bottom
 ///     X not empty, X: {a}                       =>  {a}: all that X is
 ///
-/// \cite kazakov.14.jar for the rules of EL, \cite kazakov.09.ijcai for cores that grow (universals, functionality).
+/// \cite kazakov.14.jar for the rules of EL, \cite kazakov.09.ijcai for cores that grow (universals,
+/// functionality).
 class Saturation {
  public:
   Saturation(const Theory& theory, util::Budget& budget, bool trace);
@@ -87,7 +88,9 @@ class Saturation {
   [[nodiscard]] bool has(ContextId id, Concept c) const { return place(at(id), c) != IndexSet::none; }
   [[nodiscard]] Fact fact_of(ContextId id, Concept c) const;
   [[nodiscard]] bool inconsistent() const { return base_ != nullptr ? base_->inconsistent_ : inconsistent_; }
-  [[nodiscard]] Fact inconsistency() const { return base_ != nullptr ? base_->inconsistency_ : inconsistency_; }
+  [[nodiscard]] Fact inconsistency() const {
+    return base_ != nullptr ? base_->inconsistency_ : inconsistency_;
+  }
   [[nodiscard]] bool is_subrole(Role sub, Role super) const;
 
   /// All axioms that the derivations of \p facts use, ascending. \pre trace

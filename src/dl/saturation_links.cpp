@@ -5,7 +5,9 @@
 namespace heed::dl {
 namespace {
 
-std::uint64_t link_key(const Link& edge) { return (std::uint64_t{edge.role} << 32) | edge.other; }
+std::uint64_t link_key(const Link& edge) {
+  return (std::uint64_t{edge.role} << 32) | edge.other;
+}
 
 std::vector<Concept> united(const std::vector<Concept>& a, const std::vector<Concept>& b) {
   std::vector<Concept> out;
@@ -35,7 +37,8 @@ void Saturation::process_link(ContextId id, std::uint32_t where) {
   link_rules(id, edge);
   if (is_known(edge.role)) compose(id, edge);
   if (!x.universals.empty()) apply_universals(id, edge);
-  if (!x.at_most_one.empty() || (is_known(edge.role) && theory_.has_functional(edge.role))) merge_functional(id, edge);
+  if (!x.at_most_one.empty() || (is_known(edge.role) && theory_.has_functional(edge.role)))
+    merge_functional(id, edge);
 }
 
 void Saturation::link_rules(ContextId id, const Link& edge) {
@@ -45,7 +48,8 @@ void Saturation::link_rules(ContextId id, const Link& edge) {
     const Concept filler = k.fillers[i];
     for (const LeftExistential& rule : theory_.left(filler))
       if (is_subrole(edge.role, rule.role))
-        derive(id, rule.existential, edge.fact, fact_of(edge.other, filler), trace_ ? why(0, edge.role, rule.role) : 0);
+        derive(id, rule.existential, edge.fact, fact_of(edge.other, filler),
+               trace_ ? why(0, edge.role, rule.role) : 0);
   }
   if (!is_known(edge.role)) return;
   for (const Role super : theory_.superroles(edge.role))
@@ -75,7 +79,8 @@ void Saturation::compose(ContextId id, const Link& edge) {
     for (std::size_t i = 0; i < x.predecessors.size(); ++i) {
       const Link before = x.predecessors[i];
       if (is_subrole(before.role, chain.first))
-        link(before.other, chain.super, edge.other, infer(before.fact, edge.fact, reasons(chain, before.role, edge.role)));
+        link(before.other, chain.super, edge.other,
+             infer(before.fact, edge.fact, reasons(chain, before.role, edge.role)));
     }
   }
 }
@@ -92,7 +97,9 @@ void Saturation::apply_universals(ContextId id, const Link& edge) {
   std::vector<Concept> missing;
   Fact fact = edge.fact;
   const auto need = [&](Concept c, const Universal& u, Role through, Reason transitive) {
-    if (c == nothing_known || has(edge.other, c) || std::find(missing.begin(), missing.end(), c) != missing.end()) return;
+    if (c == nothing_known || has(edge.other, c) ||
+        std::find(missing.begin(), missing.end(), c) != missing.end())
+      return;
     missing.push_back(c);
     if (!trace_) return;
     std::uint32_t reasons = why(transitive, edge.role, through);
@@ -104,7 +111,8 @@ void Saturation::apply_universals(ContextId id, const Link& edge) {
     if (is_subrole(edge.role, u.role)) need(u.filler, u, u.role, 0);
     if (!is_known(u.role)) continue;
     for (const Role through : theory_.transitive_below(u.role))
-      if (is_subrole(edge.role, through)) need(universal_concept(through, u.filler), u, through, theory_.transitive(through));
+      if (is_subrole(edge.role, through))
+        need(universal_concept(through, u.filler), u, through, theory_.transitive(through));
   }
   if (missing.empty()) return;
   std::sort(missing.begin(), missing.end());
@@ -141,9 +149,11 @@ void Saturation::merge_functional(ContextId id, const Link& edge) {
   }
   if (hit.size() == 1) {
     const Group& group = x.groups[hit.front()];
-    const bool includes = std::includes(group.core.begin(), group.core.end(), merged.core.begin(), merged.core.end()) &&
-                          std::includes(group.roles.begin(), group.roles.end(), merged.roles.begin(), merged.roles.end()) &&
-                          std::includes(group.functions.begin(), group.functions.end(), merged.functions.begin(), merged.functions.end());
+    const bool includes =
+        std::includes(group.core.begin(), group.core.end(), merged.core.begin(), merged.core.end()) &&
+        std::includes(group.roles.begin(), group.roles.end(), merged.roles.begin(), merged.roles.end()) &&
+        std::includes(group.functions.begin(), group.functions.end(), merged.functions.begin(),
+                      merged.functions.end());
     if (includes) return;
   }
   absorb(id, std::move(merged), hit, edge);
@@ -170,7 +180,8 @@ void Saturation::absorb(ContextId id, Group merged, const std::vector<std::size_
         if (!is_subrole(role, function)) continue;
         const auto steps = path(role, function);
         reasons.insert(reasons.end(), steps.begin(), steps.end());
-        if (is_known(function) && theory_.functional(function) != nothing_known) reasons.push_back(theory_.functional(function));
+        if (is_known(function) && theory_.functional(function) != nothing_known)
+          reasons.push_back(theory_.functional(function));
       }
     for (const auto& local : x.at_most_one) merged.fact = infer(merged.fact, local.second, 0);
     merged.fact = infer(merged.fact, edge.fact, keep_why(std::move(reasons)));
@@ -221,7 +232,9 @@ std::vector<Reason> Saturation::path(Role sub, Role super) {
   return paths_[{sub, super}] = out;
 }
 
-Fact Saturation::subrole_fact(Role sub, Role super) { return infer(no_fact, no_fact, why(0, sub, super)); }
+Fact Saturation::subrole_fact(Role sub, Role super) {
+  return infer(no_fact, no_fact, why(0, sub, super));
+}
 
 std::vector<owl::AxiomId> Saturation::axioms_of(std::vector<Fact> facts) const {
   std::vector<bool> seen(first_fact_ + inferences_.size());
@@ -240,7 +253,8 @@ std::vector<owl::AxiomId> Saturation::axioms_of(std::vector<Fact> facts) const {
       continue;
     }
     const std::uint32_t set = step.why & ~(1U << 31);
-    for (const Reason reason : set < first_why_ ? base_->why_sets_[set] : why_sets_[set - first_why_]) out.push_back({reason});
+    for (const Reason reason : set < first_why_ ? base_->why_sets_[set] : why_sets_[set - first_why_])
+      out.push_back({reason});
   }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());

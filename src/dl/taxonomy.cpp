@@ -8,7 +8,9 @@ namespace heed::dl {
 
 namespace v = owl::vocabulary;
 
-std::size_t Taxonomy::node_of(owl::Iri iri) const { return iri.id < index.size() ? index[iri.id] : npos; }
+std::size_t Taxonomy::node_of(owl::Iri iri) const {
+  return iri.id < index.size() ? index[iri.id] : npos;
+}
 
 namespace {
 
@@ -30,7 +32,8 @@ void group(const Input& input, Taxonomy& out) {
     if (input.unsatisfiable[i] || out.index[self.id] != Taxonomy::npos) continue;
     TaxonomyNode node;
     for (const owl::Iri super : input.supers[i])
-      if (super == self || (place[super.id] != Taxonomy::npos && below(place[super.id], self))) node.classes.push_back(super);
+      if (super == self || (place[super.id] != Taxonomy::npos && below(place[super.id], self)))
+        node.classes.push_back(super);
     for (const owl::Iri member : node.classes) out.index[member.id] = out.nodes.size();
     out.nodes.push_back(std::move(node));
   }
@@ -71,8 +74,10 @@ void link(const Input& input, Taxonomy& out) {
 
 }  // namespace
 
-Taxonomy build_taxonomy(const std::vector<owl::Iri>& classes, const std::vector<std::vector<owl::Iri>>& supers,
-                        const std::vector<bool>& unsatisfiable, const std::vector<owl::Iri>& thing, std::size_t iri_count) {
+Taxonomy build_taxonomy(const std::vector<owl::Iri>& classes,
+                        const std::vector<std::vector<owl::Iri>>& supers,
+                        const std::vector<bool>& unsatisfiable, const std::vector<owl::Iri>& thing,
+                        std::size_t iri_count) {
   Taxonomy out;
   out.index.assign(iri_count, Taxonomy::npos);
   out.nodes.resize(2);

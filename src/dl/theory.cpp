@@ -43,8 +43,8 @@ Concept Theory::data_concept(const std::string& key) const {
   return found == data_.end() ? nothing_known : find({ConceptKind::Data, found->second, 0});
 }
 
-/// Integers and Booleans by value, strings by text, everything else by text and datatype. Families hold literals that are
-/// equal only when their texts are.
+/// Integers and Booleans by value, strings by text, everything else by text and datatype. Families hold
+/// literals that are equal only when their texts are.
 Theory::DataKey Theory::key_of(const owl::Literal& literal) {
   std::string_view text = literal.value;
   const bool integer = literal.datatype == v::xsd_integer || literal.datatype == v::xsd_non_negative_integer;
@@ -54,7 +54,8 @@ Theory::DataKey Theory::key_of(const owl::Literal& literal) {
     const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
     text.remove_prefix(std::min(text.find_first_not_of('0'), text.empty() ? 0 : text.size() - 1));
     const bool zero = text == "0";
-    if (digits) return {fmt::format("integer {}{}", minus && !zero ? "-" : "", text), "integer", literal.datatype};
+    if (digits)
+      return {fmt::format("integer {}{}", minus && !zero ? "-" : "", text), "integer", literal.datatype};
   }
   if (literal.datatype == v::xsd_boolean && (text == "true" || text == "1" || text == "false" || text == "0"))
     return {text == "true" || text == "1" ? "boolean true" : "boolean false", "boolean", literal.datatype};
@@ -69,7 +70,8 @@ std::string Theory::key_of(const owl::DataRange& range) {
   std::string out = fmt::format("range {} {}", static_cast<int>(range.kind()), range.iri().id);
   for (const auto& operand : range.operands()) out += fmt::format("({})", key_of(operand));
   for (const auto& literal : range.literals()) out += fmt::format("({})", key_of(literal).text);
-  for (const auto& facet : range.facets()) out += fmt::format("({} {})", facet.facet.id, key_of(facet.value).text);
+  for (const auto& facet : range.facets())
+    out += fmt::format("({} {})", facet.facet.id, key_of(facet.value).text);
   return out;
 }
 
@@ -114,8 +116,9 @@ void TheoryBuilder::close_roles() {
   }
 }
 
-/// `D SubClassOf only inverse(R) (R some D)` holds by itself. It is written down where an existential can reach its
-/// source against the direction of R, and turns the rule for inverse properties into the one for universals.
+/// `D SubClassOf only inverse(R) (R some D)` holds by itself. It is written down where an existential can
+/// reach its source against the direction of R, and turns the rule for inverse properties into the one for
+/// universals.
 void TheoryBuilder::use_inverses() {
   right_roles_.resize(theory_.role_count());
   std::vector<bool> reached(theory_.role_count());
@@ -182,7 +185,8 @@ void TheoryBuilder::spread_functional() {
   }
 }
 
-/// A range of the composed property says something of the end of the chain that its last property may not say.
+/// A range of the composed property says something of the end of the chain that its last property may not
+/// say.
 void TheoryBuilder::check_chains() {
   for (std::size_t i = 0; i < chains_.size(); i += 2) {
     const Chain& c = chains_[i];

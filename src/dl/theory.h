@@ -17,7 +17,9 @@ using Concept = std::uint32_t;
 using Role = std::uint32_t;
 constexpr std::uint32_t nothing_known = UINT32_MAX;
 
-[[nodiscard]] constexpr Role inverse(Role role) { return role ^ 1U; }
+[[nodiscard]] constexpr Role inverse(Role role) {
+  return role ^ 1U;
+}
 
 enum class ConceptKind : std::uint8_t {
   Top,
@@ -58,8 +60,9 @@ enum Loss : std::uint16_t {
 struct ConceptNode {
   ConceptKind kind;
   std::uint32_t a = 0, b = 0;
-  std::uint16_t loss_right = 0, loss_left = 0;  ///< What is lost where it stands right or left of an inclusion.
-  bool right = false, left = false;             ///< Where it stands.
+  std::uint16_t loss_right = 0,
+                loss_left = 0;       ///< What is lost where it stands right or left of an inclusion.
+  bool right = false, left = false;  ///< Where it stands.
 };
 
 /// Tells why: 0 for a tautology, else the number of an axiom.
@@ -89,9 +92,9 @@ struct RoleEdge {
   Reason reason;
 };
 
-/// An ontology in the form that saturation works on: each part of an expression is a concept, `C SubClassOf D` is one told
-/// inclusion, and the parts follow their own definitions (conjunctions, existentials) that hold by name alone. So a
-/// derivation names exactly the axioms it needs.
+/// An ontology in the form that saturation works on: each part of an expression is a concept, `C SubClassOf
+/// D` is one told inclusion, and the parts follow their own definitions (conjunctions, existentials) that
+/// hold by name alone. So a derivation names exactly the axioms it needs.
 class Theory {
  public:
   /// \param ids  The axioms to use, or nullptr for all.
@@ -100,7 +103,9 @@ class Theory {
   [[nodiscard]] std::size_t size() const { return concepts_.size(); }
   [[nodiscard]] const ConceptNode& node(Concept c) const { return concepts_[c]; }
   [[nodiscard]] Concept class_concept(owl::Iri iri) const { return find({ConceptKind::Class, iri.id, 0}); }
-  [[nodiscard]] Concept individual_concept(owl::Iri iri) const { return find({ConceptKind::Individual, iri.id, 0}); }
+  [[nodiscard]] Concept individual_concept(owl::Iri iri) const {
+    return find({ConceptKind::Individual, iri.id, 0});
+  }
   [[nodiscard]] Concept find(ConceptNode node) const;
   /// nothing_known where the ontology does not use it.
   [[nodiscard]] Role role(owl::Iri iri, bool data) const;
@@ -113,13 +118,23 @@ class Theory {
   [[nodiscard]] const std::vector<Concept>& individuals() const { return individuals_; }
 
   [[nodiscard]] std::size_t role_count() const { return role_edges_.size(); }
-  [[nodiscard]] bool is_subrole(Role sub, Role super) const { return closure_[sub * words_ + super / 64] >> (super % 64) & 1U; }
-  [[nodiscard]] const std::vector<Role>& superroles(Role role) const { return superroles_[role]; }  ///< Itself included.
+  [[nodiscard]] bool is_subrole(Role sub, Role super) const {
+    return closure_[sub * words_ + super / 64] >> (super % 64) & 1U;
+  }
+  [[nodiscard]] const std::vector<Role>& superroles(Role role) const {
+    return superroles_[role];
+  }  ///< Itself included.
   [[nodiscard]] const std::vector<RoleEdge>& role_edges(Role role) const { return role_edges_[role]; }
-  [[nodiscard]] const std::vector<Told>& domains(Role role) const { return domains_[role]; }  ///< Told of it alone.
+  [[nodiscard]] const std::vector<Told>& domains(Role role) const {
+    return domains_[role];
+  }  ///< Told of it alone.
   [[nodiscard]] const std::vector<Told>& ranges(Role role) const { return ranges_[role]; }
-  [[nodiscard]] Reason functional(Role role) const { return functional_[role]; }  ///< nothing_known: it is not.
-  [[nodiscard]] bool has_functional(Role role) const { return has_functional_[role]; }  ///< It or a super-role.
+  [[nodiscard]] Reason functional(Role role) const {
+    return functional_[role];
+  }  ///< nothing_known: it is not.
+  [[nodiscard]] bool has_functional(Role role) const {
+    return has_functional_[role];
+  }  ///< It or a super-role.
   [[nodiscard]] const std::vector<Chain>& chains_from(Role first) const { return chains_from_[first]; }
   [[nodiscard]] const std::vector<Chain>& chains_into(Role second) const { return chains_into_[second]; }
   /// Transitive roles below \p role: a universal restriction goes on along them.
@@ -128,7 +143,8 @@ class Theory {
 
   [[nodiscard]] const std::vector<Dropped>& dropped() const { return dropped_; }
 
-  /// A text that is equal for equal values, and whether it is a literal that differs from all others of its family.
+  /// A text that is equal for equal values, and whether it is a literal that differs from all others of its
+  /// family.
   struct DataKey {
     std::string text, family;
     owl::Iri datatype;

@@ -6,7 +6,8 @@
 
 namespace heed::dl {
 
-TheoryBuilder::TheoryBuilder(Theory& theory, const owl::Ontology& ontology) : theory_(theory), ontology_(ontology) {
+TheoryBuilder::TheoryBuilder(Theory& theory, const owl::Ontology& ontology)
+    : theory_(theory), ontology_(ontology) {
   intern({ConceptKind::Top, 0, 0});
   intern({ConceptKind::Bottom, 0, 0});
 }
@@ -19,22 +20,34 @@ void TheoryBuilder::losses(ConceptNode& node) const {
     node.loss_left = static_cast<std::uint16_t>(l);
   };
   switch (node.kind) {
-    case ConceptKind::And: return set(right(node.a) | right(node.b), left(node.a) | left(node.b));
-    case ConceptKind::Or: return set(UnionRight, left(node.a) | left(node.b));
-    case ConceptKind::Not: return set(left(node.a), ComplementLeft);
-    case ConceptKind::Some: return set(right(node.b), left(node.b));
-    case ConceptKind::All: return set(right(node.b), UniversalLeft);
-    case ConceptKind::AtMostOne: return set(NoLoss, NumberLeft);
-    case ConceptKind::AtLeast: return set(NumberRight, NumberLeft);
-    case ConceptKind::AtMost: return set(NumberRight, NumberLeft);
-    case ConceptKind::Self: return set(NoLoss, SelfLeft);
-    case ConceptKind::Unknown: return set(KindLoss, KindLoss);
-    default: return;
+    case ConceptKind::And:
+      return set(right(node.a) | right(node.b), left(node.a) | left(node.b));
+    case ConceptKind::Or:
+      return set(UnionRight, left(node.a) | left(node.b));
+    case ConceptKind::Not:
+      return set(left(node.a), ComplementLeft);
+    case ConceptKind::Some:
+      return set(right(node.b), left(node.b));
+    case ConceptKind::All:
+      return set(right(node.b), UniversalLeft);
+    case ConceptKind::AtMostOne:
+      return set(NoLoss, NumberLeft);
+    case ConceptKind::AtLeast:
+      return set(NumberRight, NumberLeft);
+    case ConceptKind::AtMost:
+      return set(NumberRight, NumberLeft);
+    case ConceptKind::Self:
+      return set(NoLoss, SelfLeft);
+    case ConceptKind::Unknown:
+      return set(KindLoss, KindLoss);
+    default:
+      return;
   }
 }
 
 Concept TheoryBuilder::intern(ConceptNode node) {
-  const auto [place, is_new] = theory_.numbers_.try_emplace(node, static_cast<Concept>(theory_.concepts_.size()));
+  const auto [place, is_new] =
+      theory_.numbers_.try_emplace(node, static_cast<Concept>(theory_.concepts_.size()));
   if (!is_new) return place->second;
   losses(node);
   theory_.concepts_.push_back(node);
@@ -66,10 +79,12 @@ Role TheoryBuilder::role_of(owl::Iri iri, bool data) {
 
 Concept TheoryBuilder::literal(const owl::Literal& literal) {
   const Theory::DataKey key = Theory::key_of(literal);
-  const auto [place, is_new] = theory_.data_.try_emplace(key.text, static_cast<std::uint32_t>(theory_.data_.size()));
+  const auto [place, is_new] =
+      theory_.data_.try_emplace(key.text, static_cast<std::uint32_t>(theory_.data_.size()));
   const Concept c = intern({ConceptKind::Data, place->second, 0});
   const Concept type = data_range(owl::DataRange::datatype(key.datatype));
-  if (type != top && std::none_of(theory_.told_[c].begin(), theory_.told_[c].end(), [&](Told t) { return t.super == type; }))
+  if (type != top &&
+      std::none_of(theory_.told_[c].begin(), theory_.told_[c].end(), [&](Told t) { return t.super == type; }))
     theory_.told_[c].push_back({type, 0});
   if (is_new && !key.family.empty()) families_[key.family].push_back(c);
   return c;
@@ -130,7 +145,8 @@ void TheoryBuilder::place_left(Concept c) {
   pending_.emplace_back(c, false);
 }
 
-/// Gives each concept the rules for the side on which it stands. What has no rule there was reported as a loss.
+/// Gives each concept the rules for the side on which it stands. What has no rule there was reported as a
+/// loss.
 void TheoryBuilder::place() {
   while (!pending_.empty()) {
     const auto [c, right] = pending_.back();
@@ -259,7 +275,9 @@ void TheoryBuilder::domain(Role role, Concept c) {
   place();
 }
 
-void TheoryBuilder::range(Role role, Concept c) { domain(inverse(role), c); }
+void TheoryBuilder::range(Role role, Concept c) {
+  domain(inverse(role), c);
+}
 
 void TheoryBuilder::operator()(const owl::ObjectPropertyCharacteristic& a) {
   const Role role = role_of(a.property);
@@ -277,10 +295,16 @@ void TheoryBuilder::operator()(const owl::ObjectPropertyCharacteristic& a) {
       break;
     case owl::Characteristic::Symmetric:
       role_edge(role, inverse(role));
-          break;
-    case owl::Characteristic::Reflexive: include(top, intern({ConceptKind::Self, role, 0})); break;
-    case owl::Characteristic::Irreflexive: drop("irreflexive properties are not used"); break;
-    case owl::Characteristic::Asymmetric: drop("asymmetric properties are not used"); break;
+      break;
+    case owl::Characteristic::Reflexive:
+      include(top, intern({ConceptKind::Self, role, 0}));
+      break;
+    case owl::Characteristic::Irreflexive:
+      drop("irreflexive properties are not used");
+      break;
+    case owl::Characteristic::Asymmetric:
+      drop("asymmetric properties are not used");
+      break;
   }
 }
 

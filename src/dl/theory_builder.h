@@ -30,11 +30,17 @@ class TheoryBuilder : public ConceptSink {
   void operator()(const owl::ObjectPropertyDomain& a) { domain(role_of(a.property), translate(a.domain)); }
   void operator()(const owl::ObjectPropertyRange& a) { range(role_of(a.property), translate(a.range)); }
   void operator()(const owl::ObjectPropertyCharacteristic& a);
-  void operator()(const owl::SubDataPropertyOf& a) { role_edge(role_of(a.sub, true), role_of(a.super, true)); }
+  void operator()(const owl::SubDataPropertyOf& a) {
+    role_edge(role_of(a.sub, true), role_of(a.super, true));
+  }
   void operator()(const owl::EquivalentDataProperties& a);
-  void operator()(const owl::DataPropertyDomain& a) { domain(role_of(a.property, true), translate(a.domain)); }
+  void operator()(const owl::DataPropertyDomain& a) {
+    domain(role_of(a.property, true), translate(a.domain));
+  }
   void operator()(const owl::DataPropertyRange& a) { range(role_of(a.property, true), data_range(a.range)); }
-  void operator()(const owl::FunctionalDataProperty& a) { theory_.functional_[role_of(a.property, true)] = reason_; }
+  void operator()(const owl::FunctionalDataProperty& a) {
+    theory_.functional_[role_of(a.property, true)] = reason_;
+  }
   void operator()(const owl::DatatypeDefinition&) { drop("a datatype definition is not used"); }
   void operator()(const owl::DisjointObjectProperties&) { drop("disjoint properties are not used"); }
   void operator()(const owl::DisjointDataProperties&) { drop("disjoint properties are not used"); }
@@ -84,7 +90,7 @@ class TheoryBuilder : public ConceptSink {
   std::vector<std::pair<Concept, bool>> pending_;  ///< To place; true: right.
   std::vector<Chain> chains_;
   std::map<std::string, std::vector<Concept>> families_;  ///< Literals that differ from each other.
-  std::vector<bool> right_roles_;                          ///< Of existentials on the right.
+  std::vector<bool> right_roles_;                         ///< Of existentials on the right.
   std::vector<std::pair<const owl::Axiom*, Role>> functional_axioms_;
   std::uint32_t group_count_ = 0;
 };

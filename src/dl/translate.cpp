@@ -46,7 +46,8 @@ Concept ConceptSink::negation(Concept c) {
     } else if (node.kind == ConceptKind::All) {
       const ConceptNode inner = node_of(node.b);
       const bool simple = inner.kind != ConceptKind::All && inner.kind != ConceptKind::Or;
-      const Concept negated = inner.kind == ConceptKind::Not ? inner.a : intern({ConceptKind::Not, node.b, 0});
+      const Concept negated =
+          inner.kind == ConceptKind::Not ? inner.a : intern({ConceptKind::Not, node.b, 0});
       conjuncts.push_back(simple ? some(node.a, negated) : intern({ConceptKind::Not, next, 0}));
     } else {
       conjuncts.push_back(intern({ConceptKind::Not, next, 0}));
@@ -65,7 +66,8 @@ Concept ConceptSink::all(Role role, Concept filler) {
   return intern({ConceptKind::All, role, filler});
 }
 
-Concept ConceptSink::counted(const owl::ClassExpression& e, Concept existential, bool unqualified, Role role) {
+Concept ConceptSink::counted(const owl::ClassExpression& e, Concept existential, bool unqualified,
+                             Role role) {
   const std::uint32_t n = e.cardinality();
   const auto at_least = [&] {
     if (n == 0) return top;
@@ -88,28 +90,36 @@ Concept ConceptSink::build(const owl::ClassExpression& e, const std::vector<Conc
     case Kind::Class:
       if (e.is_thing()) return top;
       return e.is_nothing() ? bottom : intern({ConceptKind::Class, e.iri().id, 0});
-    case Kind::Intersection: return conjunction(parts);
-    case Kind::Union: return disjunction(parts);
-    case Kind::Complement: return negation(parts.front());
+    case Kind::Intersection:
+      return conjunction(parts);
+    case Kind::Union:
+      return disjunction(parts);
+    case Kind::Complement:
+      return negation(parts.front());
     case Kind::OneOf: {
       std::vector<Concept> nominals;
-      for (const owl::Iri individual : e.individuals()) nominals.push_back(intern({ConceptKind::Individual, individual.id, 0}));
+      for (const owl::Iri individual : e.individuals())
+        nominals.push_back(intern({ConceptKind::Individual, individual.id, 0}));
       return disjunction(std::move(nominals));
     }
-    case Kind::Some: return some(role_of(e.property()), parts.front());
-    case Kind::Only: return all(role_of(e.property()), parts.front());
+    case Kind::Some:
+      return some(role_of(e.property()), parts.front());
+    case Kind::Only:
+      return all(role_of(e.property()), parts.front());
     case Kind::HasValue: {
       const Role role = role_of(e.property());
       return some(role, intern({ConceptKind::Individual, e.individuals().front().id, 0}));
     }
-    case Kind::HasSelf: return intern({ConceptKind::Self, role_of(e.property()), 0});
+    case Kind::HasSelf:
+      return intern({ConceptKind::Self, role_of(e.property()), 0});
     case Kind::Min:
     case Kind::Max:
     case Kind::Exactly: {
       const Role role = role_of(e.property());
       return counted(e, some(role, parts.front()), parts.front() == top, role);
     }
-    default: break;
+    default:
+      break;
   }
   if (e.data_properties().size() != 1) return intern({ConceptKind::Unknown, 0, 0});
   const Role role = role_of(e.data_properties().front(), true);

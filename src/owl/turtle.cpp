@@ -219,7 +219,8 @@ Term Turtle::term(char c) {
     return place->second;
   }
   if (c == '"' || c == '\'') return literal();
-  const bool sign = c == '+' || c == '-' || (c == '.' && std::isdigit(static_cast<unsigned char>(lexer_.ahead(1))) != 0);
+  const bool sign =
+      c == '+' || c == '-' || (c == '.' && std::isdigit(static_cast<unsigned char>(lexer_.ahead(1))) != 0);
   if (sign || std::isdigit(static_cast<unsigned char>(c)) != 0) {
     const auto number = lexer_.number();
     using Type = TurtleLexer::Number::Type;

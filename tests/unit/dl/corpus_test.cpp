@@ -12,7 +12,8 @@ using Closure = std::set<std::pair<std::string, std::string>>;
 const std::string nothing = "http://www.w3.org/2002/07/owl#Nothing";
 const std::string thing = "http://www.w3.org/2002/07/owl#Thing";
 
-/// The subsumptions of an OWL/XML file of SubClassOf and EquivalentClasses over named classes, closed under transitivity.
+/// The subsumptions of an OWL/XML file of SubClassOf and EquivalentClasses over named classes, closed under
+/// transitivity.
 Closure reference(const std::string& path) {
   const std::string text = util::read_file(path).text();
   std::map<std::string, std::set<std::string>> up;
@@ -52,19 +53,22 @@ Difference compare(const std::string& ontology_path, const std::string& referenc
   const Closure expected = reference(reference_path);
   Difference out;
   const auto trivial = [&](const std::string& sub, const std::string& super) {
-    return sub == super || super == thing || sub == nothing || (super != nothing && expected.contains({sub, nothing}));
+    return sub == super || super == thing || sub == nothing ||
+           (super != nothing && expected.contains({sub, nothing}));
   };
   for (const owl::Iri sub : o.entities(owl::EntityKind::Class)) {
     const std::string name(o.text(sub));
     if (!reasoner.satisfiable(sub) && !expected.contains({name, nothing})) out.extra.emplace(name, nothing);
     for (const owl::Iri super : reasoner.superclasses(sub))
-      if (!trivial(name, std::string(o.text(super))) && !expected.contains({name, std::string(o.text(super))}))
+      if (!trivial(name, std::string(o.text(super))) &&
+          !expected.contains({name, std::string(o.text(super))}))
         out.extra.emplace(name, o.text(super));
   }
   for (const auto& [sub, super] : expected) {
     const auto a = o.find(sub), b = o.find(super);
     if (trivial(sub, super) || !a || !b) continue;
-    if (super == nothing ? reasoner.satisfiable(*a) : !reasoner.subsumes(*b, *a)) out.missing.emplace(sub, super);
+    if (super == nothing ? reasoner.satisfiable(*a) : !reasoner.subsumes(*b, *a))
+      out.missing.emplace(sub, super);
   }
   return out;
 }
@@ -81,14 +85,17 @@ TEST_P(Corpus, ClosureMatchesTheReference) {
   const Case& given = GetParam();
   const std::string root = corpus() + "/owl/";
   if (!std::filesystem::exists(root + "reference")) GTEST_SKIP() << "no corpus at " << corpus();
-  const Difference found = compare(root + given.folder + "/" + given.name + ".owl", root + "reference/" + given.name + ".cls.owx");
-  for (const auto& [sub, super] : found.extra) ADD_FAILURE() << "not in the reference: " << sub << " below " << super;
+  const Difference found =
+      compare(root + given.folder + "/" + given.name + ".owl", root + "reference/" + given.name + ".cls.owx");
+  for (const auto& [sub, super] : found.extra)
+    ADD_FAILURE() << "not in the reference: " << sub << " below " << super;
   EXPECT_LE(found.missing.size(), given.missing);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Corpus,
-                         testing::Values(Case{"signs", "signs", 0}, Case{"public", "galen", 0}, Case{"public", "sio", 5},
-                                         Case{"public", "pizza", 67}, Case{"public", "wine", 29}, Case{"public", "SWEET", 517}),
+                         testing::Values(Case{"signs", "signs", 0}, Case{"public", "galen", 0},
+                                         Case{"public", "sio", 5}, Case{"public", "pizza", 67},
+                                         Case{"public", "wine", 29}, Case{"public", "SWEET", 517}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(Signs, TheTwoAccidentsAreFoundAndJustified) {
@@ -97,7 +104,9 @@ TEST(Signs, TheTwoAccidentsAreFoundAndJustified) {
   util::Budget budget;
   const owl::Ontology o = owl::read(util::read_file(corpus() + "/owl/signs/signs.ttl"), {}, diagnostics);
   const Reasoner reasoner(o, budget);
-  const auto iri = [&](const char* name) { return *o.find(std::string("http://example.org/ontologies/traffic-signs#") + name); };
+  const auto iri = [&](const char* name) {
+    return *o.find(std::string("http://example.org/ontologies/traffic-signs#") + name);
+  };
   EXPECT_EQ(reasoner.taxonomy().node_of(iri("NoEntry")), reasoner.taxonomy().node_of(iri("ProhibitorySign")));
   EXPECT_EQ(reasoner.taxonomy().node_of(iri("ImpossibleSign")), 1U);
   EXPECT_TRUE(reasoner.consistent());
@@ -105,7 +114,8 @@ TEST(Signs, TheTwoAccidentsAreFoundAndJustified) {
   const auto impossible = justifier.unsatisfiable(owl::ClassExpression::named(iri("ImpossibleSign")));
   ASSERT_TRUE(impossible);
   EXPECT_EQ(impossible->size(), 5U);
-  const auto accident = justifier.subsumption(owl::ClassExpression::named(iri("ProhibitorySign")), owl::ClassExpression::named(iri("NoEntry")));
+  const auto accident = justifier.subsumption(owl::ClassExpression::named(iri("ProhibitorySign")),
+                                              owl::ClassExpression::named(iri("NoEntry")));
   ASSERT_TRUE(accident);
   EXPECT_EQ(accident->size(), 5U);
 }

@@ -6,7 +6,8 @@ namespace heed::dl::test {
 namespace {
 
 /// The lines of \p text that hold the axioms \p kept (one axiom a line), read and classified anew.
-std::string lines_of(const std::string& text, const owl::Ontology& ontology, const std::vector<owl::AxiomId>& kept) {
+std::string lines_of(const std::string& text, const owl::Ontology& ontology,
+                     const std::vector<owl::AxiomId>& kept) {
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = text.find('\n', at);
@@ -19,7 +20,8 @@ std::string lines_of(const std::string& text, const owl::Ontology& ontology, con
 }
 
 const std::string declarations =
-    ":A a owl:Class.\n:B a owl:Class.\n:C a owl:Class.\n:D a owl:Class.\n:Q a owl:Class.\n:f a owl:ObjectProperty.\n"
+    ":A a owl:Class.\n:B a owl:Class.\n:C a owl:Class.\n:D a owl:Class.\n:Q a owl:Class.\n:f a "
+    "owl:ObjectProperty.\n"
     ":r a owl:ObjectProperty.\n:s a owl:ObjectProperty.\n";
 const std::string rules =
     ":r rdfs:subPropertyOf :f.\n:s rdfs:subPropertyOf :f.\n:f a owl:FunctionalProperty.\n"
@@ -30,8 +32,8 @@ const std::string rules =
     ":A rdfs:subClassOf :D.\n:D owl:disjointWith :C.\n";
 
 /// Alone it entails the question; without any one axiom it does not.
-void expect_minimal(const std::string& text, const Asked& whole, const std::vector<owl::AxiomId>& found, const std::string& sub,
-                    const std::string& super) {
+void expect_minimal(const std::string& text, const Asked& whole, const std::vector<owl::AxiomId>& found,
+                    const std::string& sub, const std::string& super) {
   const auto entails = [&](const std::vector<owl::AxiomId>& kept) {
     const Asked part(declarations + lines_of(text, whole.ontology, kept));
     return super.empty() ? !part.satisfiable(sub) : part.below(sub, super);
@@ -46,7 +48,8 @@ void expect_minimal(const std::string& text, const Asked& whole, const std::vect
 
 TEST(Justifier, EverySubsumptionGetsAMinimalSet) {
   for (const bool clash : {false, true}) {
-    const std::string text = declarations + (clash ? rules : rules.substr(0, rules.rfind(":D owl:disjointWith")));
+    const std::string text =
+        declarations + (clash ? rules : rules.substr(0, rules.rfind(":D owl:disjointWith")));
     const Asked whole(text);
     util::Budget budget;
     Justifier justifier(whole.ontology, budget);

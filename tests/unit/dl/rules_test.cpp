@@ -4,12 +4,17 @@ namespace heed::dl::test {
 namespace {
 
 /// `:X some P Y` and the like, to keep the inputs readable.
-std::string some(const std::string& p, const std::string& c) { return "[owl:onProperty :" + p + "; owl:someValuesFrom " + c + "]"; }
-std::string only(const std::string& p, const std::string& c) { return "[owl:onProperty :" + p + "; owl:allValuesFrom " + c + "]"; }
+std::string some(const std::string& p, const std::string& c) {
+  return "[owl:onProperty :" + p + "; owl:someValuesFrom " + c + "]";
+}
+std::string only(const std::string& p, const std::string& c) {
+  return "[owl:onProperty :" + p + "; owl:allValuesFrom " + c + "]";
+}
 
 TEST(Rules, ConjunctionsAndExistentials) {
-  const Asked a(":A rdfs:subClassOf :B, " + some("r", ":C") + ". :C rdfs:subClassOf :D. :Q owl:equivalentClass [owl:intersectionOf (:B " +
-                some("r", ":D") + ")]. :E rdfs:subClassOf :Q.");
+  const Asked a(":A rdfs:subClassOf :B, " + some("r", ":C") +
+                ". :C rdfs:subClassOf :D. :Q owl:equivalentClass [owl:intersectionOf (:B " + some("r", ":D") +
+                ")]. :E rdfs:subClassOf :Q.");
   EXPECT_TRUE(a.below("A", "Q"));
   EXPECT_TRUE(a.below("E", "B"));
   EXPECT_FALSE(a.below("B", "Q"));
@@ -17,7 +22,8 @@ TEST(Rules, ConjunctionsAndExistentials) {
 }
 
 TEST(Rules, BottomTravelsAgainstExistentials) {
-  const Asked a(":A owl:disjointWith :B. :C rdfs:subClassOf :A, :B. :D rdfs:subClassOf " + some("r", ":C") + ". :E rdfs:subClassOf :A.");
+  const Asked a(":A owl:disjointWith :B. :C rdfs:subClassOf :A, :B. :D rdfs:subClassOf " + some("r", ":C") +
+                ". :E rdfs:subClassOf :A.");
   EXPECT_FALSE(a.satisfiable("C"));
   EXPECT_FALSE(a.satisfiable("D"));
   EXPECT_TRUE(a.satisfiable("E"));
@@ -26,8 +32,10 @@ TEST(Rules, BottomTravelsAgainstExistentials) {
 }
 
 TEST(Rules, NaryDisjointnessIsPairwise) {
-  const Asked a("[] a owl:AllDisjointClasses; owl:members (:A :B :C). :X rdfs:subClassOf :A, :C. :U owl:disjointUnionOf (:V :W). "
-                ":Y rdfs:subClassOf :V, :W. :Z rdfs:subClassOf :V.");
+  const Asked a(
+      "[] a owl:AllDisjointClasses; owl:members (:A :B :C). :X rdfs:subClassOf :A, :C. :U "
+      "owl:disjointUnionOf (:V :W). "
+      ":Y rdfs:subClassOf :V, :W. :Z rdfs:subClassOf :V.");
   EXPECT_FALSE(a.satisfiable("X"));
   EXPECT_FALSE(a.satisfiable("Y"));
   EXPECT_TRUE(a.below("Z", "U"));
@@ -35,17 +43,20 @@ TEST(Rules, NaryDisjointnessIsPairwise) {
 }
 
 TEST(Rules, DomainsRangesAndHierarchies) {
-  const Asked a(":r a owl:ObjectProperty; rdfs:domain :D; rdfs:range :R. :s rdfs:subPropertyOf :r. :A rdfs:subClassOf " + some("s", ":B") +
-                ". " + some("r", "[owl:intersectionOf (:B :R)]") + " rdfs:subClassOf :Q.");
+  const Asked a(
+      ":r a owl:ObjectProperty; rdfs:domain :D; rdfs:range :R. :s rdfs:subPropertyOf :r. :A "
+      "rdfs:subClassOf " +
+      some("s", ":B") + ". " + some("r", "[owl:intersectionOf (:B :R)]") + " rdfs:subClassOf :Q.");
   EXPECT_TRUE(a.below("A", "D"));
   EXPECT_TRUE(a.below("A", "Q"));
   EXPECT_FALSE(a.below("B", "R"));
 }
 
 TEST(Rules, ChainsAndTransitivity) {
-  const Asked a(":t a owl:TransitiveProperty. :u owl:propertyChainAxiom (:t :v :w). :A rdfs:subClassOf " + some("t", ":B") +
-                ". :B rdfs:subClassOf " + some("t", ":C") + ". :C rdfs:subClassOf " + some("v", some("w", ":E")) + ". " +
-                some("t", ":C") + " rdfs:subClassOf :P. " + some("u", ":E") + " rdfs:subClassOf :Q.");
+  const Asked a(":t a owl:TransitiveProperty. :u owl:propertyChainAxiom (:t :v :w). :A rdfs:subClassOf " +
+                some("t", ":B") + ". :B rdfs:subClassOf " + some("t", ":C") + ". :C rdfs:subClassOf " +
+                some("v", some("w", ":E")) + ". " + some("t", ":C") + " rdfs:subClassOf :P. " +
+                some("u", ":E") + " rdfs:subClassOf :Q.");
   EXPECT_TRUE(a.below("A", "P"));
   EXPECT_TRUE(a.below("A", "Q"));
   EXPECT_TRUE(a.below("B", "Q"));
@@ -54,8 +65,9 @@ TEST(Rules, ChainsAndTransitivity) {
 
 /// A: some r B, some s C; both below the functional f: one successor that is B and C.
 TEST(Rules, FunctionalPropertiesMergeSuccessors) {
-  const std::string base = ":f a owl:ObjectProperty. :r rdfs:subPropertyOf :f. :s rdfs:subPropertyOf :f. :A rdfs:subClassOf " +
-                           some("r", ":B") + ", " + some("s", ":C") + ". " + some("s", ":B") + " rdfs:subClassOf :Q. ";
+  const std::string base =
+      ":f a owl:ObjectProperty. :r rdfs:subPropertyOf :f. :s rdfs:subPropertyOf :f. :A rdfs:subClassOf " +
+      some("r", ":B") + ", " + some("s", ":C") + ". " + some("s", ":B") + " rdfs:subClassOf :Q. ";
   EXPECT_FALSE(Asked(base).below("A", "Q"));
   EXPECT_TRUE(Asked(base + ":f a owl:FunctionalProperty.").below("A", "Q"));
   EXPECT_FALSE(Asked(base + ":f a owl:FunctionalProperty. :B owl:disjointWith :C.").satisfiable("A"));
@@ -63,12 +75,14 @@ TEST(Rules, FunctionalPropertiesMergeSuccessors) {
 }
 
 TEST(Rules, UniversalsOnTheRight) {
-  const Asked a(":A rdfs:subClassOf " + some("r", ":B") + ", " + only("r", ":C") + ". " + some("r", "[owl:intersectionOf (:B :C)]") +
-                " rdfs:subClassOf :Q. :N rdfs:subClassOf " + some("r", ":B") + ", [owl:complementOf " + some("r", "owl:Thing") + "].");
+  const Asked a(":A rdfs:subClassOf " + some("r", ":B") + ", " + only("r", ":C") + ". " +
+                some("r", "[owl:intersectionOf (:B :C)]") + " rdfs:subClassOf :Q. :N rdfs:subClassOf " +
+                some("r", ":B") + ", [owl:complementOf " + some("r", "owl:Thing") + "].");
   EXPECT_TRUE(a.below("A", "Q"));
   EXPECT_FALSE(a.satisfiable("N"));
-  const Asked t(":t a owl:TransitiveProperty. :A rdfs:subClassOf " + only("t", ":C") + ", " + some("t", some("t", ":B")) + ". " +
-                some("t", "[owl:intersectionOf (:B :C)]") + " rdfs:subClassOf :Q.");
+  const Asked t(":t a owl:TransitiveProperty. :A rdfs:subClassOf " + only("t", ":C") + ", " +
+                some("t", some("t", ":B")) + ". " + some("t", "[owl:intersectionOf (:B :C)]") +
+                " rdfs:subClassOf :Q.");
   EXPECT_TRUE(t.below("A", "Q"));
 }
 
@@ -80,7 +94,9 @@ TEST(Rules, InversesReachTheSuccessor) {
 }
 
 TEST(Rules, UnionsAndEnumerationsOnTheLeftSplit) {
-  const Asked a("[owl:unionOf (:A :B)] rdfs:subClassOf :C. :E owl:equivalentClass [a owl:Class; owl:oneOf (:x :y)]. :E rdfs:subClassOf :F.");
+  const Asked a(
+      "[owl:unionOf (:A :B)] rdfs:subClassOf :C. :E owl:equivalentClass [a owl:Class; owl:oneOf (:x :y)]. :E "
+      "rdfs:subClassOf :F.");
   EXPECT_TRUE(a.below("A", "C"));
   EXPECT_TRUE(a.below("B", "C"));
   EXPECT_TRUE(a.is_a("x", "F"));
@@ -88,8 +104,10 @@ TEST(Rules, UnionsAndEnumerationsOnTheLeftSplit) {
 }
 
 TEST(Rules, IndividualsAreNominals) {
-  const Asked a(":r a owl:ObjectProperty. :x a :A; :r :y. :y a :B. " + some("r", ":B") + " rdfs:subClassOf :Q. :x owl:sameAs :z. :z a :C. "
-                ":V rdfs:subClassOf [owl:onProperty :r; owl:hasValue :y]. :r a owl:FunctionalProperty. :x :r :w.");
+  const Asked a(
+      ":r a owl:ObjectProperty. :x a :A; :r :y. :y a :B. " + some("r", ":B") +
+      " rdfs:subClassOf :Q. :x owl:sameAs :z. :z a :C. "
+      ":V rdfs:subClassOf [owl:onProperty :r; owl:hasValue :y]. :r a owl:FunctionalProperty. :x :r :w.");
   EXPECT_TRUE(a.is_a("x", "Q"));
   EXPECT_TRUE(a.is_a("x", "C"));
   EXPECT_TRUE(a.below("V", "Q"));
@@ -99,15 +117,20 @@ TEST(Rules, IndividualsAreNominals) {
 }
 
 TEST(Rules, DataValuesDifferByValue) {
-  const Asked a(":d a owl:DatatypeProperty, owl:FunctionalProperty. :A rdfs:subClassOf [owl:onProperty :d; owl:hasValue 50]. :B rdfs:subClassOf "
-                "[owl:onProperty :d; owl:hasValue 60]. :C rdfs:subClassOf :A, :B. :D owl:equivalentClass [owl:onProperty :d; owl:hasValue \"050\"^^xsd:integer].");
+  const Asked a(
+      ":d a owl:DatatypeProperty, owl:FunctionalProperty. :A rdfs:subClassOf [owl:onProperty :d; "
+      "owl:hasValue 50]. :B rdfs:subClassOf "
+      "[owl:onProperty :d; owl:hasValue 60]. :C rdfs:subClassOf :A, :B. :D owl:equivalentClass "
+      "[owl:onProperty :d; owl:hasValue \"050\"^^xsd:integer].");
   EXPECT_FALSE(a.satisfiable("C"));
   EXPECT_TRUE(a.below("A", "D"));
   EXPECT_FALSE(a.below("B", "D"));
 }
 
 TEST(Rules, WhatIsDroppedIsListedWithItsAxiom) {
-  const Asked a(":A rdfs:subClassOf :B.\n:A rdfs:subClassOf [owl:unionOf (:C :D)].\n[owl:complementOf :A] rdfs:subClassOf :E.\n");
+  const Asked a(
+      ":A rdfs:subClassOf :B.\n:A rdfs:subClassOf [owl:unionOf (:C :D)].\n[owl:complementOf :A] "
+      "rdfs:subClassOf :E.\n");
   ASSERT_EQ(a.reasoner.incomplete().size(), 2U);
   EXPECT_EQ(a.reasoner.incomplete()[0].axiom.number, 2U);
   EXPECT_EQ(a.reasoner.incomplete()[0].signature.size(), 3U);

@@ -22,12 +22,15 @@ inline std::string corpus() {
 /// Turtle without its prefixes; all on one line, so that line 2 is the first of \p body.
 inline owl::Ontology turtle(const std::string& body) {
   util::Diagnostics diagnostics;
-  return owl::read(util::SourceText("test.ttl",
-                                    "@prefix : <http://e/#> . @prefix owl: <http://www.w3.org/2002/07/owl#> . @prefix rdf: "
-                                    "<http://www.w3.org/1999/02/22-rdf-syntax-ns#> . @prefix rdfs: "
-                                    "<http://www.w3.org/2000/01/rdf-schema#> . @prefix xsd: "
-                                    "<http://www.w3.org/2001/XMLSchema#> .\n" + body),
-                   {}, diagnostics);
+  return owl::read(
+      util::SourceText(
+          "test.ttl",
+          "@prefix : <http://e/#> . @prefix owl: <http://www.w3.org/2002/07/owl#> . @prefix rdf: "
+          "<http://www.w3.org/1999/02/22-rdf-syntax-ns#> . @prefix rdfs: "
+          "<http://www.w3.org/2000/01/rdf-schema#> . @prefix xsd: "
+          "<http://www.w3.org/2001/XMLSchema#> .\n" +
+              body),
+      {}, diagnostics);
 }
 
 /// A reasoner with short names for questions.
@@ -38,7 +41,9 @@ struct Asked {
     if (!found) ADD_FAILURE() << "no name " << name;
     return found.value_or(owl::Iri{});
   }
-  [[nodiscard]] owl::ClassExpression cls(const std::string& name) const { return owl::ClassExpression::named(iri(name)); }
+  [[nodiscard]] owl::ClassExpression cls(const std::string& name) const {
+    return owl::ClassExpression::named(iri(name));
+  }
   [[nodiscard]] bool below(const std::string& sub, const std::string& super) const {
     return reasoner.subsumes(iri(super), iri(sub));
   }

@@ -12,32 +12,40 @@ TEST(RdfXml, ResolvesNamesInEveryPlaceWhereTheyStand) {
       "<owl:Class rdf:about=\"http://e/#A\"><rdfs:subClassOf rdf:resource=\"#B\"/></owl:Class>\n"
       "<owl:Class rdf:ID=\"C\"><rdfs:subClassOf rdf:resource=\"http://e/#B\"/></owl:Class>\n"
       "<B rdf:about=\"#x\"/>");
-  EXPECT_THAT(short_axioms(read.ontology), testing::ElementsAre("SubClassOf(A B)", "SubClassOf(C B)", "ClassAssertion(B x)"));
+  EXPECT_THAT(short_axioms(read.ontology),
+              testing::ElementsAre("SubClassOf(A B)", "SubClassOf(C B)", "ClassAssertion(B x)"));
   EXPECT_TRUE(read.diagnostics.empty());
 }
 
 TEST(RdfXml, ParseTypesNestedNodesAndNodeIds) {
   const Read read = rdf_xml(
-      "<owl:Class rdf:about=\"#A\"><owl:equivalentClass><owl:Class><owl:intersectionOf rdf:parseType=\"Collection\">"
+      "<owl:Class rdf:about=\"#A\"><owl:equivalentClass><owl:Class><owl:intersectionOf "
+      "rdf:parseType=\"Collection\">"
       "<rdf:Description rdf:about=\"#B\"/><owl:Restriction><owl:onProperty rdf:resource=\"#p\"/>"
-      "<owl:someValuesFrom rdf:nodeID=\"n\"/></owl:Restriction></owl:intersectionOf></owl:Class></owl:equivalentClass>"
+      "<owl:someValuesFrom "
+      "rdf:nodeID=\"n\"/></owl:Restriction></owl:intersectionOf></owl:Class></owl:equivalentClass>"
       "<rdfs:subClassOf rdf:parseType=\"Resource\"><owl:onProperty rdf:resource=\"#p\"/>"
       "<owl:someValuesFrom rdf:resource=\"#C\"/></rdfs:subClassOf></owl:Class>"
       "<owl:Class rdf:nodeID=\"n\"><owl:complementOf rdf:resource=\"#D\"/></owl:Class>");
-  EXPECT_THAT(short_axioms(read.ontology),
-              testing::ElementsAre("EquivalentClasses(A ObjectIntersectionOf(B ObjectSomeValuesFrom(p ObjectComplementOf(D))))",
-                                   "SubClassOf(A ObjectSomeValuesFrom(p C))"));
+  EXPECT_THAT(
+      short_axioms(read.ontology),
+      testing::ElementsAre(
+          "EquivalentClasses(A ObjectIntersectionOf(B ObjectSomeValuesFrom(p ObjectComplementOf(D))))",
+          "SubClassOf(A ObjectSomeValuesFrom(p C))"));
   EXPECT_TRUE(read.diagnostics.empty());
 }
 
 TEST(RdfXml, LiteralsKeepLanguageDatatypeAndMarkup) {
   const Read read = rdf_xml(
-      "<owl:Class rdf:about=\"#A\" rdfs:comment=\"in an attribute\" xml:lang=\"IT\"><rdfs:label>segnale</rdfs:label>"
+      "<owl:Class rdf:about=\"#A\" rdfs:comment=\"in an attribute\" "
+      "xml:lang=\"IT\"><rdfs:label>segnale</rdfs:label>"
       "<rdfs:label xml:lang=\"\">plain</rdfs:label><rdfs:comment><![CDATA[a < b & c]]></rdfs:comment>"
       "<rdfs:comment rdf:parseType=\"Literal\"><b>bold</b></rdfs:comment></owl:Class>");
   EXPECT_THAT(short_axioms(read.ontology),
-              testing::ElementsAre("AnnotationAssertion(comment A \"in an attribute\"@it)", "AnnotationAssertion(label A \"segnale\"@it)",
-                                   "AnnotationAssertion(label A \"plain\")", "AnnotationAssertion(comment A \"a  b & c\"@it)",
+              testing::ElementsAre("AnnotationAssertion(comment A \"in an attribute\"@it)",
+                                   "AnnotationAssertion(label A \"segnale\"@it)",
+                                   "AnnotationAssertion(label A \"plain\")",
+                                   "AnnotationAssertion(comment A \"a  b & c\"@it)",
                                    "AnnotationAssertion(comment A \"bbold/b\"^^XMLLiteral)"));
   const Iri a = *read.ontology.find("http://e/#A");
   EXPECT_EQ(read.ontology.name(a, "it"), "segnale");
@@ -45,23 +53,28 @@ TEST(RdfXml, LiteralsKeepLanguageDatatypeAndMarkup) {
 }
 
 TEST(RdfXml, LocationsPointAtTheElement) {
-  const Read read = rdf_xml("<owl:Class rdf:about=\"#A\">\n  <rdfs:subClassOf rdf:resource=\"#B\"/>\n</owl:Class>");
+  const Read read =
+      rdf_xml("<owl:Class rdf:about=\"#A\">\n  <rdfs:subClassOf rdf:resource=\"#B\"/>\n</owl:Class>");
   const Axiom& axiom = read.ontology.axioms()[1];
   EXPECT_EQ(util::to_string(axiom.location), "test.owl:4:3");
 }
 
 TEST(RdfXml, InnerBindingsDoNotLeak) {
   const Read read = rdf_xml(
-      "<owl:Class rdf:about=\"#A\"><q:subClassOf xmlns:q=\"http://www.w3.org/2000/01/rdf-schema#\" rdf:resource=\"#B\"/>"
+      "<owl:Class rdf:about=\"#A\"><q:subClassOf xmlns:q=\"http://www.w3.org/2000/01/rdf-schema#\" "
+      "rdf:resource=\"#B\"/>"
       "<q:label xmlns:q=\"http://www.w3.org/2000/01/rdf-schema#\">x</q:label></owl:Class>"
       "<q:A xmlns:q=\"http://e/#\" rdf:about=\"#i\"/>");
-  EXPECT_THAT(short_axioms(read.ontology), testing::ElementsAre("SubClassOf(A B)", "AnnotationAssertion(label A \"x\")", "ClassAssertion(A i)"));
+  EXPECT_THAT(
+      short_axioms(read.ontology),
+      testing::ElementsAre("SubClassOf(A B)", "AnnotationAssertion(label A \"x\")", "ClassAssertion(A i)"));
 }
 
 TEST(RdfXml, ExpandsDeclaredEntitiesInAttributesAndText) {
-  const Read read = rdf_xml("<owl:Class rdf:about=\"&e;A\"><rdfs:label>&who; &amp;lt; &#233;&lt;</rdfs:label></owl:Class>",
-                            "<!DOCTYPE rdf:RDF [ <!ENTITY e \"http://e/#\" > <!-- <!ENTITY who \"no\"> --> <!ENTITY who '&inner;s'>"
-                            "<!ENTITY inner \"sign\"> ]>\n");
+  const Read read = rdf_xml(
+      "<owl:Class rdf:about=\"&e;A\"><rdfs:label>&who; &amp;lt; &#233;&lt;</rdfs:label></owl:Class>",
+      "<!DOCTYPE rdf:RDF [ <!ENTITY e \"http://e/#\" > <!-- <!ENTITY who \"no\"> --> <!ENTITY who '&inner;s'>"
+      "<!ENTITY inner \"sign\"> ]>\n");
   const Iri a = *read.ontology.find("http://e/#A");
   EXPECT_EQ(read.ontology.labels(a).front().text, "signs &lt; \xC3\xA9<");
 }
@@ -80,7 +93,11 @@ std::string laughs(int levels, const std::string& leaf) {
 TEST(RdfXml, RefusesHostileEntities) {
   const auto begin = std::chrono::steady_clock::now();
   const auto code = [](const std::string& doctype, const std::string& text) {
-    return refused([&] { rdf_xml("<owl:Class rdf:about=\"#A\"><rdfs:label>" + text + "</rdfs:label></owl:Class>", doctype); }).code;
+    return refused([&] {
+             rdf_xml("<owl:Class rdf:about=\"#A\"><rdfs:label>" + text + "</rdfs:label></owl:Class>",
+                     doctype);
+           })
+        .code;
   };
   EXPECT_EQ(code(laughs(12, "ha"), "&l12;"), "entity-expansion");
   EXPECT_EQ(code(laughs(12, ""), "&l12;"), "entity-expansion");
@@ -88,7 +105,8 @@ TEST(RdfXml, RefusesHostileEntities) {
   for (int i = 0; i < 20000; ++i) many += "&l0;";
   EXPECT_EQ(code(laughs(0, std::string(100000, 'x')), many), "entity-expansion");
   EXPECT_EQ(code("<!DOCTYPE rdf:RDF [<!ENTITY a \"&b;\"><!ENTITY b \"&a;\">]>\n", "&a;"), "entity-cycle");
-  EXPECT_EQ(code("<!DOCTYPE rdf:RDF [<!ENTITY a SYSTEM \"file:///etc/passwd\">]>\n", "&a;"), "external-entity");
+  EXPECT_EQ(code("<!DOCTYPE rdf:RDF [<!ENTITY a SYSTEM \"file:///etc/passwd\">]>\n", "&a;"),
+            "external-entity");
   EXPECT_EQ(code("<!DOCTYPE rdf:RDF [<!ENTITY % p \"x\"> %p;]>\n", "x"), "parameter-entity");
   EXPECT_EQ(code("<!DOCTYPE rdf:RDF [<!ENTITY a \"<b/>\">]>\n", "&a;"), "entity-markup");
   EXPECT_EQ(code("", "&nowhere;"), "undefined-entity");

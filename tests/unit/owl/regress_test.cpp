@@ -3,10 +3,12 @@
 namespace heed::owl::test {
 namespace {
 
-/// Each flawed file stands beside a file NAME.expected: first line "line:column code", second a part of the message.
+/// Each flawed file stands beside a file NAME.expected: first line "line:column code", second a part of the
+/// message.
 TEST(Regress, FlawedDocumentsGetTheirMessage) {
   std::size_t count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(HEED_SOURCE_DIR) + "/tests/regress/owl/flawed")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(HEED_SOURCE_DIR) + "/tests/regress/owl/flawed")) {
     if (entry.path().extension() == ".expected") continue;
     SCOPED_TRACE(entry.path().filename().string());
     const std::string expected = util::read_file(entry.path().string() + ".expected").text();
@@ -19,7 +21,9 @@ TEST(Regress, FlawedDocumentsGetTheirMessage) {
     }
     ASSERT_FALSE(diagnostics.empty());
     const util::Diagnostic& first = diagnostics.front();
-    EXPECT_EQ(std::to_string(first.location.line) + ":" + std::to_string(first.location.column) + " " + first.code, expected.substr(0, end));
+    EXPECT_EQ(
+        std::to_string(first.location.line) + ":" + std::to_string(first.location.column) + " " + first.code,
+        expected.substr(0, end));
     const std::string part = expected.substr(end + 1, expected.find('\n', end + 1) - end - 1);
     EXPECT_NE(first.message.find(part), std::string::npos) << first.message;
     ++count;

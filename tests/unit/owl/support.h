@@ -21,7 +21,8 @@ inline std::string corpus() {
 
 inline const std::string turtle_head =
     "@prefix : <http://e/#> . @prefix owl: <http://www.w3.org/2002/07/owl#> . @prefix rdf: "
-    "<http://www.w3.org/1999/02/22-rdf-syntax-ns#> . @prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> . @prefix xsd: "
+    "<http://www.w3.org/1999/02/22-rdf-syntax-ns#> . @prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> . "
+    "@prefix xsd: "
     "<http://www.w3.org/2001/XMLSchema#> .\n";
 
 struct Read {
@@ -29,24 +30,29 @@ struct Read {
   util::Diagnostics diagnostics;
 };
 
-inline Read read_text(const std::string& text, const std::string& name = "test.ttl", const util::Limits& limits = {}) {
+inline Read read_text(const std::string& text, const std::string& name = "test.ttl",
+                      const util::Limits& limits = {}) {
   Read out;
   out.ontology = read(util::SourceText(name, text), limits, out.diagnostics);
   return out;
 }
 
-inline Read turtle(const std::string& body) { return read_text(turtle_head + body); }
+inline Read turtle(const std::string& body) {
+  return read_text(turtle_head + body);
+}
 
 inline Read rdf_xml(const std::string& body, const std::string& doctype = "") {
   return read_text("<?xml version=\"1.0\"?>\n" + doctype +
                        "<rdf:RDF xmlns=\"http://e/#\" xml:base=\"http://e/\" "
                        "xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
                        "xmlns:rdfs=\"http://www.w3.org/2000/01/rdf-schema#\" "
-                       "xmlns:owl=\"http://www.w3.org/2002/07/owl#\">\n" + body + "\n</rdf:RDF>\n",
+                       "xmlns:owl=\"http://www.w3.org/2002/07/owl#\">\n" +
+                       body + "\n</rdf:RDF>\n",
                    "test.owl");
 }
 
-/// The axioms in functional-style syntax with the namespaces cut off, declarations left out, in document order.
+/// The axioms in functional-style syntax with the namespaces cut off, declarations left out, in document
+/// order.
 inline std::vector<std::string> short_axioms(const Ontology& ontology, bool declarations = false) {
   std::vector<std::string> out;
   for (const Axiom& axiom : ontology.axioms()) {
@@ -56,7 +62,8 @@ inline std::vector<std::string> short_axioms(const Ontology& ontology, bool decl
                                    std::string("http://www.w3.org/2000/01/rdf-schema#"),
                                    std::string("http://www.w3.org/2001/XMLSchema#"),
                                    std::string("http://www.w3.org/1999/02/22-rdf-syntax-ns#")})
-      for (std::size_t at = text.find(cut); at != std::string::npos; at = text.find(cut)) text.erase(at, cut.size());
+      for (std::size_t at = text.find(cut); at != std::string::npos; at = text.find(cut))
+        text.erase(at, cut.size());
     std::erase(text, '<');
     std::erase(text, '>');
     out.push_back(text);
