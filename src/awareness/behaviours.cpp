@@ -64,25 +64,27 @@ void Builder::assign_behaviours() {
     }
     for (const auto& [b, why] : found) catalogue_.entities[e].behaviours.push_back({b, why});
   }
-  if (told_.has_complex_axioms) search_behaviours();
+  if (!told_.derived.empty()) search_behaviours();
 }
 
-std::vector<owl::Iri> Builder::known_action_roles() const {
-  if (!action_roles_.empty()) return action_roles_;
-  std::set<owl::Iri> roles;
+/// Roles of actions by which more may be bound than single axioms tell.
+std::vector<owl::Iri> Builder::derived_action_roles() const {
+  std::set<owl::Iri> roles(action_roles_.begin(), action_roles_.end());
   for (const auto& [holder, bindings] : told_.bindings)
     for (const Binding& binding : bindings)
-      if (behaviours_.contains(binding.filler)) roles.insert(binding.role);
+      if (action_roles_.empty() && behaviours_.contains(binding.filler)) roles.insert(binding.role);
+  std::erase_if(roles, [&](owl::Iri role) { return !told_.derived.contains(role); });
   return {roles.begin(), roles.end()};
 }
 
 /// "Prescribes what its action implies" is a role chain: only the reasoner follows it.
 void Builder::search_behaviours() {
+  const auto roles = derived_action_roles();
   for (Entity& entity : catalogue_.entities) {
     if (entity.individual || !entity.satisfiable) continue;
     const auto self = owl::ClassExpression::named(entity.iri);
     for (std::size_t b = 0; b < catalogue_.behaviours.size(); ++b)
-      for (const owl::Iri role : known_action_roles()) {
+      for (const owl::Iri role : roles) {
         budget_.check();
         const Behaviour& behaviour = catalogue_.behaviours[b];
         const bool known = std::any_of(entity.behaviours.begin(), entity.behaviours.end(),

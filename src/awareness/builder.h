@@ -72,7 +72,7 @@ class Builder {
   void relate_behaviours();
   void assign_behaviours();
   void search_behaviours();
-  [[nodiscard]] std::vector<owl::Iri> known_action_roles() const;
+  [[nodiscard]] std::vector<owl::Iri> derived_action_roles() const;
 
   // sufficiency.cpp
   void judge_sufficiency();

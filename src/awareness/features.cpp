@@ -147,21 +147,34 @@ void Builder::assign_features() {
     }
     for (const auto& [f, why] : found) catalogue_.entities[e].features.push_back({f, why});
   }
-  if (told_.has_complex_axioms) search_features();
+  if (!told_.derived.empty()) search_features();
 }
 
-/// Chains and inclusions with a complex left side can bind features that no single axiom tells.
+/// Chains and inclusions with a complex left side can bind features that no single axiom tells. General
+/// features come first: what lacks one lacks all that imply it.
 void Builder::search_features() {
+  const auto& features = catalogue_.features;
+  std::vector<std::size_t> order;
+  for (std::size_t f = 0; f < features.size(); ++f)
+    if (features[f].kind != Feature::Kind::Class && told_.derived.contains(features[f].role))
+      order.push_back(f);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return features[a].implies.size() < features[b].implies.size();
+  });
   for (std::size_t e = 0; e < catalogue_.entities.size(); ++e) {
     Entity& entity = catalogue_.entities[e];
     if (entity.individual || !entity.satisfiable) continue;
     const auto self = owl::ClassExpression::named(entity.iri);
-    for (std::size_t f = 0; f < catalogue_.features.size(); ++f) {
+    for (const std::size_t f : order) {
       budget_.check();
-      const Feature& feature = catalogue_.features[f];
-      if (feature.kind == Feature::Kind::Class || catalogue_.has_feature(e, f) != nullptr) continue;
-      if (!reasoner_.entails_subsumption(self, concept_of(feature))) continue;
-      entity.features.push_back({f, justifier_.subsumption(self, concept_of(feature)).value_or(Axioms{})});
+      const auto& general = features[f].implies;
+      const bool possible = std::all_of(general.begin(), general.end(), [&](const Entailed& g) {
+        return catalogue_.has_feature(e, g.index) != nullptr;
+      });
+      if (!possible || catalogue_.has_feature(e, f) != nullptr) continue;
+      if (!reasoner_.entails_subsumption(self, concept_of(features[f]))) continue;
+      entity.features.push_back(
+          {f, justifier_.subsumption(self, concept_of(features[f])).value_or(Axioms{})});
       std::sort(entity.features.begin(), entity.features.end(),
                 [](const Entailed& a, const Entailed& b) { return a.index < b.index; });
     }

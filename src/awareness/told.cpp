@@ -53,8 +53,20 @@ std::vector<owl::ClassExpression> conjuncts(const owl::ClassExpression& expressi
   return result;
 }
 
+namespace {
+
+bool binds(owl::ClassExpression::Kind kind) {
+  using Kind = owl::ClassExpression::Kind;
+  return kind == Kind::Some || kind == Kind::HasValue || kind == Kind::Min || kind == Kind::Exactly;
+}
+
+}  // namespace
+
 Told::Told(const owl::Ontology& ontology, std::optional<owl::Iri> subclass_role) {
   for (const owl::Axiom& axiom : ontology.axioms()) read_axiom(axiom, subclass_role);
+  const std::set<owl::Iri> stated = derived;
+  for (const owl::Iri role : stated)
+    for (const auto& [super, why] : roles.above(role)) derived.insert(super);
 }
 
 std::optional<Axioms> Told::functional_because(owl::Iri role) const {
@@ -103,7 +115,7 @@ void Told::read_class_axiom(const owl::Axiom& axiom) {
 void Told::read_role_axiom(const owl::Axiom& axiom) {
   if (const auto* inclusion = axiom.as<owl::SubObjectPropertyOf>()) {
     if (inclusion->chain.size() != 1)
-      has_complex_axioms = true;
+      derived.insert(inclusion->super.iri);
     else if (!inclusion->chain[0].inverse && !inclusion->super.inverse)
       roles.add(inclusion->chain[0].iri, inclusion->super.iri, axiom.id);
   }
@@ -114,7 +126,7 @@ void Told::read_role_axiom(const owl::Axiom& axiom) {
   if (const auto* is = axiom.as<owl::ObjectPropertyCharacteristic>()) {
     if (is->characteristic == owl::Characteristic::Functional && !is->property.inverse)
       functional.emplace(is->property.iri, axiom.id);
-    if (is->characteristic == owl::Characteristic::Transitive) has_complex_axioms = true;
+    if (is->characteristic == owl::Characteristic::Transitive) derived.insert(is->property.iri);
   }
   if (const auto* range = axiom.as<owl::ObjectPropertyRange>())
     if (range->range.is_named() && !range->property.inverse)
@@ -141,7 +153,8 @@ void Told::read_assertion(const owl::Axiom& axiom, std::optional<owl::Iri> subcl
 void Told::read_inclusion(const owl::ClassExpression& sub, const owl::ClassExpression& super,
                           owl::AxiomId axiom) {
   if (!sub.is_named()) {
-    has_complex_axioms = true;
+    for (const auto& part : conjuncts(super))
+      if (binds(part.kind())) derived.insert(part.property().iri);
     return;
   }
   for (const auto& part : conjuncts(super)) read_conjunct(sub.iri(), part, axiom);

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -52,8 +53,9 @@ struct Told {
   std::map<std::pair<owl::Iri, owl::Iri>, owl::AxiomId>
       disjoint;  ///< Both ways; classes, and individuals that differ.
   std::map<owl::Iri, util::Location> declared;
-  /// Some existential or subsumption may follow from axioms that are not of the simple forms above.
-  bool has_complex_axioms = false;
+  /// Roles by which more may be bound than `bindings` and `roles` show: chains, transitivity, inclusions of
+  /// complex classes.
+  std::set<owl::Iri> derived;
 
   /// Why \p role has at most one value: the axioms, or nothing.
   [[nodiscard]] std::optional<Axioms> functional_because(owl::Iri role) const;
