@@ -54,7 +54,7 @@ class Play {
 
   [[nodiscard]] std::string answer_text() const {
     std::string answer = text(Owner::Output);
-    if (!game_.updates.empty()) answer += fmt::format(" (then {})", text(Owner::Memory));
+    if (!game_.updates.empty()) answer += fmt::format(" (with {})", text(Owner::Memory));
     return answer;
   }
 

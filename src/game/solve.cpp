@@ -43,7 +43,25 @@ class Solver {
   }
 
  private:
+  /// nu Z . cpre(Z): states from which the environment can force a step without answer go first. Goals then
+  /// need not find them one by one, and a defeat by safety alone is explained as one.
+  bool stay_safe() {
+    while (true) {
+      Bdd next = region_.winning & predecessor(region_.winning);
+      if (next == region_.winning) return true;
+      if (!shrink(std::move(next), Part::no_clause)) return false;
+    }
+  }
+
+  /// False: some start is lost, and nobody asks for more.
+  bool shrink(Bdd next, std::size_t goal) {
+    region_.winning = std::move(next);
+    if (options_.iterates) region_.iterates.push_back({region_.winning, goal});
+    return !options_.stop_early || wins_initially(game_, region_.winning);
+  }
+
   void outermost() {
+    if (!stay_safe()) return;
     std::size_t unchanged = 0;
     for (std::size_t goal = 0; unchanged < goals_; goal = (goal + 1) % goals_) {
       if (goal == 0) ++region_.outer_iterations;
@@ -53,9 +71,7 @@ class Solver {
         continue;
       }
       unchanged = 0;
-      region_.winning = std::move(next);
-      if (options_.iterates) region_.iterates.push_back({region_.winning, goal});
-      if (options_.stop_early && !wins_initially(game_, region_.winning)) return;
+      if (!shrink(std::move(next), goal)) return;
     }
     region_.realizable = wins_initially(game_, region_.winning);
   }

@@ -19,7 +19,7 @@ struct Defeat {
 };
 
 struct ExplainOptions {
-  std::size_t most_moves = 6;
+  std::size_t most_moves = 12;
   /// Bound on the predecessors computed for the core, as a multiple of what solving took, and at least this
   /// many.
   std::uint64_t core_factor = 40;

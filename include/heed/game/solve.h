@@ -14,7 +14,8 @@ struct SolveOptions {
   std::uint64_t max_steps = 0;  ///< Controllable predecessors to compute; 0: no bound.
 };
 
-/// One round of the outermost fixpoint: what was lost when goal `goal` was looked at.
+/// One round of the outermost fixpoint: what was lost when goal `goal` was looked at; Part::no_clause: by
+/// safety alone.
 struct Iterate {
   bdd::Bdd region;  ///< After the round.
   std::size_t goal = 0;
