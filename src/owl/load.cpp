@@ -66,7 +66,9 @@ class Loader {
     if (options_.use_catalog) {
       for (const std::string& from : {importer, graphs_.front().source.name()}) {
         const auto& catalog = catalog_of(util::resolve_path(from, "catalog-v001.xml"));
-        if (const auto entry = catalog.find(iri); entry != catalog.end()) return entry->second;
+        const auto entry = catalog.find(iri);
+        // Nested catalogues go stale when folders move; the root's then still knows.
+        if (entry != catalog.end() && std::filesystem::exists(entry->second)) return entry->second;
       }
     }
     if (iri.starts_with("file:")) return iri.substr(iri.starts_with("file://") ? 7 : 5);

@@ -124,6 +124,8 @@ class Text {
     return std::visit([this](const auto& part) { return text(part); }, value);
   }
   std::string text(const DataRange& range) const;
+  std::string names(const std::vector<Iri>& iris) const;
+  std::string flat(const ClassExpression& e) const;
   std::vector<Piece> expand(Nested nested) const;
 
   const Ontology& ontology_;
@@ -153,84 +155,60 @@ std::string Text::text(const DataRange& range) const {
   return fmt::format("{}[{}]", text(range.iri()), fmt::join(parts, ", "));
 }
 
+/// The word between property and filler of a quantified expression, its number included; empty for other
+/// kinds.
+std::string quantifier(const ClassExpression& e) {
+  switch (e.kind()) {
+    case Kind::Some:
+    case Kind::DataSome:
+      return "some";
+    case Kind::Only:
+    case Kind::DataOnly:
+      return "only";
+    case Kind::Min:
+    case Kind::DataMin:
+      return fmt::format("min {}", e.cardinality());
+    case Kind::Max:
+    case Kind::DataMax:
+      return fmt::format("max {}", e.cardinality());
+    case Kind::Exactly:
+    case Kind::DataExactly:
+      return fmt::format("exactly {}", e.cardinality());
+    default:
+      return {};
+  }
+}
+
+std::string Text::names(const std::vector<Iri>& iris) const {
+  std::vector<std::string> out;
+  for (const Iri iri : iris) out.push_back(text(iri));
+  return fmt::format("{}", fmt::join(out, ", "));
+}
+
+/// Kinds that nest no class expression.
+std::string Text::flat(const ClassExpression& e) const {
+  if (e.is_named()) return text(e.iri());
+  if (e.kind() == Kind::OneOf) return fmt::format("{{{}}}", names(e.individuals()));
+  if (e.kind() == Kind::HasValue)
+    return fmt::format("{} value {}", text(e.property()), names(e.individuals()));
+  if (e.kind() == Kind::HasSelf) return text(e.property()) + " Self";
+  if (e.kind() == Kind::DataHasValue)
+    return fmt::format("{} value {}", names(e.data_properties()), text(e.literal()));
+  return fmt::format("{} {} {}", names(e.data_properties()), quantifier(e), text(e.range()));
+}
+
 std::vector<Piece> Text::expand(Nested nested) const {
   const ClassExpression& e = *nested.expression;
-  if (e.is_named()) return {text(e.iri())};
   std::vector<Piece> out;
-  const bool bracketed = nested.bracketed && e.kind() != Kind::OneOf;
+  const bool bracketed = nested.bracketed && !e.is_named() && e.kind() != Kind::OneOf;
   if (bracketed) out.emplace_back("(");
-  const auto join = [&](const char* word) {
-    for (std::size_t i = 0; i < e.operands().size(); ++i) {
-      if (i > 0) out.emplace_back(fmt::format(" {} ", word));
-      out.emplace_back(Nested{&e.operands()[i], true});
-    }
-  };
-  const auto quantified = [&](const std::string& word) {
+  if (e.operands().empty()) out.emplace_back(flat(e));
+  if (e.kind() == Kind::Complement) out.emplace_back("not ");
+  if (const std::string word = quantifier(e); !word.empty() && !e.operands().empty())
     out.emplace_back(fmt::format("{} {} ", text(e.property()), word));
-    out.emplace_back(Nested{&e.filler(), true});
-  };
-  const auto data = [&](const std::string& word) {
-    std::vector<std::string> names;
-    for (const Iri property : e.data_properties()) names.push_back(text(property));
-    out.emplace_back(fmt::format("{} {} {}", fmt::join(names, ", "), word, text(e.range())));
-  };
-  switch (e.kind()) {
-    case Kind::Class:
-      break;
-    case Kind::Intersection:
-      join("and");
-      break;
-    case Kind::Union:
-      join("or");
-      break;
-    case Kind::Complement:
-      out.emplace_back("not "), out.emplace_back(Nested{&e.filler(), true});
-      break;
-    case Kind::OneOf: {
-      std::vector<std::string> names;
-      for (const Iri individual : e.individuals()) names.push_back(text(individual));
-      out.emplace_back(fmt::format("{{{}}}", fmt::join(names, ", ")));
-      break;
-    }
-    case Kind::Some:
-      quantified("some");
-      break;
-    case Kind::Only:
-      quantified("only");
-      break;
-    case Kind::HasValue:
-      out.emplace_back(fmt::format("{} value {}", text(e.property()), text(e.individuals().front())));
-      break;
-    case Kind::HasSelf:
-      out.emplace_back(text(e.property()) + " Self");
-      break;
-    case Kind::Min:
-      quantified(fmt::format("min {}", e.cardinality()));
-      break;
-    case Kind::Max:
-      quantified(fmt::format("max {}", e.cardinality()));
-      break;
-    case Kind::Exactly:
-      quantified(fmt::format("exactly {}", e.cardinality()));
-      break;
-    case Kind::DataSome:
-      data("some");
-      break;
-    case Kind::DataOnly:
-      data("only");
-      break;
-    case Kind::DataHasValue:
-      out.emplace_back(fmt::format("{} value {}", text(e.data_properties().front()), text(e.literal())));
-      break;
-    case Kind::DataMin:
-      data(fmt::format("min {}", e.cardinality()));
-      break;
-    case Kind::DataMax:
-      data(fmt::format("max {}", e.cardinality()));
-      break;
-    case Kind::DataExactly:
-      data(fmt::format("exactly {}", e.cardinality()));
-      break;
+  for (std::size_t i = 0; i < e.operands().size(); ++i) {
+    if (i > 0) out.emplace_back(e.kind() == Kind::Union ? " or " : " and ");
+    out.emplace_back(Nested{&e.operands()[i], true});
   }
   if (bracketed) out.emplace_back(")");
   return out;
