@@ -213,6 +213,7 @@ class Builder {
     if (variable.variable.domain.kind == model::Domain::Kind::Boolean)
       return {update_formula(memory.update, name)};
     std::vector<Bdd> value;
+    value.reserve(variable.bits.size());
     for (const bdd::Pair& pair : variable.bits) value.push_back(manager_->variable(pair.current));
     for (auto guarded = memory.cases.rbegin(); guarded != memory.cases.rend(); ++guarded) {
       budget_.check();

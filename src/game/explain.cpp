@@ -72,7 +72,7 @@ class Play {
   [[nodiscard]] Bdd losing_inputs(const Bdd& legal, const Bdd& possible) {
     const Bdd chosen = game_.outputs & game_.memories;
     if (game_.spec->initial == spec::InitialQuantifiers::ForallExists) return earliest_lost(legal, possible);
-    const Bdd unanswered = legal.minus(possible.and_exists(region_.winning, chosen));
+    Bdd unanswered = legal.minus(possible.and_exists(region_.winning, chosen));
     if (game_.spec->initial == spec::InitialQuantifiers::ForallForall)
       return unanswered | (legal & possible.minus(region_.winning).exists(chosen));
     if (game_.spec->initial != spec::InitialQuantifiers::ExistsForall || !unanswered.is_false())
@@ -130,6 +130,7 @@ class Play {
 
   void say_conflict(const std::vector<Part>& parts, const Bdd& here, std::size_t first_safety) {
     std::vector<Bdd> left;
+    left.reserve(parts.size());
     for (const Part& part : parts) left.push_back(part.relation.cofactor(here));
     std::string clauses;
     for (const std::size_t i : minimal_conflict(left)) {

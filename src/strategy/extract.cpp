@@ -105,6 +105,7 @@ class Extractor {
   [[nodiscard]] std::vector<Var> key_order() const {
     const std::vector<Var> bits = game_.bits(Owner::Input, true);
     std::vector<Var> order;
+    order.reserve(bits.size());
     for (const std::size_t i : input_order_) order.push_back(bits[i]);
     return order;
   }
@@ -112,6 +113,7 @@ class Extractor {
   [[nodiscard]] std::vector<Var> step_order() const {
     const std::vector<Var> bits = game_.bits(Owner::Input, false);
     std::vector<Var> order;
+    order.reserve(bits.size());
     for (const std::size_t i : input_order_) order.push_back(bits[i]);
     for (const Owner owner : {Owner::Output, Owner::Memory})
       for (const Var variable : game_.bits(owner, false)) order.push_back(variable);
