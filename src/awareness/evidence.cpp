@@ -115,6 +115,7 @@ Rule threshold_rule(const std::vector<Reason>& parts, std::size_t k) {
   do {
     const Evidence evidence = evidence_of(parts, chosen);
     std::vector<logic::Formula> atoms;
+    atoms.reserve(chosen.size());
     for (const std::size_t i : chosen) atoms.push_back(logic::name(parts[i].atom));
     cases.push_back(logic::all_of(std::move(atoms)));
     rule.evidence.push_back(evidence);

@@ -58,6 +58,7 @@ owl::Iri find_in_ontology(const owl::Ontology& ontology, const Name& name,
                            fmt::format("the ontology has no {} '{}'", noun_of(kinds), name.text),
                            util::suggestion(name.text, known_names(ontology, kinds)));
   std::vector<std::string> meanings;
+  meanings.reserve(found.size());
   for (const owl::Iri iri : found) meanings.push_back(fmt::format("<{}>", ontology.text(iri)));
   refuse_ambiguous(name, meanings);
 }
@@ -72,6 +73,7 @@ std::size_t find_callable(const std::vector<Callable>& things, const Name& name,
     if (found.size() == 1) return found.front()->index;
     if (found.size() > 1) {
       std::vector<std::string> meanings;
+      meanings.reserve(found.size());
       for (const Callable* thing : found) meanings.push_back("'" + thing->words.front() + "'");
       refuse_ambiguous(name, meanings);
     }
@@ -82,6 +84,7 @@ std::size_t find_callable(const std::vector<Callable>& things, const Name& name,
   known.erase(std::unique(known.begin(), known.end()), known.end());
   const std::string near = util::nearest(name.text, known);
   std::vector<std::string> atoms;
+  atoms.reserve(things.size());
   for (const Callable& thing : things) atoms.push_back(thing.words.front());
   throw util::InputError(name.location, "unknown-" + noun,
                          fmt::format("the catalogue has no {} '{}'", noun, name.text),

@@ -84,6 +84,7 @@ std::vector<Symbol> all_symbols(const Catalogue& catalogue) {
   for (std::size_t e = 0; e < catalogue.entities.size(); ++e)
     for (const Entailed& has : catalogue.described(e)) features.insert(has.index);
   std::vector<Symbol> symbols;
+  symbols.reserve(features.size());
   for (const std::size_t f : features) symbols.push_back({catalogue.features[f].atom, f, {}, {}});
   for (std::size_t e = 0; e < catalogue.entities.size(); ++e) {
     const Entity& entity = catalogue.entities[e];
@@ -171,6 +172,7 @@ class InputList {
 
 Perception resolve_perception(const Catalogue& catalogue, const PerceptionOptions& options) {
   std::vector<Symbol> symbols;
+  symbols.reserve(options.reported.size());
   for (const Reported& reported : options.reported) symbols.push_back(resolve(catalogue, reported));
   if (options.reported.empty()) symbols = all_symbols(catalogue);
   check_distinct(symbols);

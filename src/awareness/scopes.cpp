@@ -69,6 +69,7 @@ Scope Builder::entity_scope() const {
 
 std::vector<owl::Iri> Builder::resolve_roles(const std::vector<Name>& names) const {
   std::vector<owl::Iri> roles;
+  roles.reserve(names.size());
   for (const Name& name : names)
     roles.push_back(find_in_ontology(ontology(), name, role_kinds, "unknown-role"));
   return roles;

@@ -65,8 +65,8 @@ std::vector<Entailed> PolicyCompiler::select(std::size_t entity, const Item& ite
 
 void PolicyCompiler::check_options() const {
   using Kind = PolicyOptions::Kind;
-  const auto refuse = [](const char* code, const std::string& message, const char* hint) {
-    throw util::InputError(util::Location{}, code, message, hint);
+  const auto refuse = [&](const char* code, const std::string& message, const char* hint) {
+    throw util::InputError(options_.location, code, message, hint);
   };
   const bool tree = options_.kind == Kind::Tree || options_.kind == Kind::TreeOrFull;
   const bool any_whole = std::any_of(perception_.whole_atom.begin(), perception_.whole_atom.end(),

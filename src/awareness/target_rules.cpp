@@ -150,6 +150,7 @@ Rule PolicyCompiler::rule_for(std::size_t entity) {
 void PolicyCompiler::note_words() {
   const auto listed = [](const std::vector<Item>& items, const char* separator) {
     std::vector<std::string> words;
+    words.reserve(items.size());
     for (const Item& item : items) words.push_back(item.text);
     return fmt::format("{}", fmt::join(words, separator));
   };

@@ -31,6 +31,7 @@ struct PolicyOptions {
   /// Whether reading the entity whole suffices as well. Default: AtLeast yes, Definition no. Full and
   /// TreeOrFull always do, Tree never does.
   std::optional<bool> direct{};
+  util::Location location{};  ///< Of the policy in its file, for messages.
 };
 
 /// "full", "tree", "tree-or-full", "definition", "at-least".
