@@ -1,0 +1,92 @@
+// The awareness controller as parts and cells grow: CPU time of composing, of synthesis with its explicit
+// machine (solved, extracted, minimised) and of verification, each apart, and the states of the machine.
+// Usage: scaling_bench [PARTS CELLS ON_VIOLATION]; without arguments the sweeps of RESULTS.md.
+#include <fmt/format.h>
+#include <heed/job/controller.h>
+#include <heed/util/file.h>
+
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <filesystem>
+
+#include "generators/parts_scenario.h"
+
+namespace heed::bench {
+namespace {
+
+class Watch {
+ public:
+  /// CPU seconds since the last call.
+  double lap() {
+    const std::clock_t now = std::clock(), before = last_;
+    last_ = now;
+    return static_cast<double>(now - before) / CLOCKS_PER_SEC;
+  }
+
+ private:
+  std::clock_t last_ = std::clock();
+};
+
+/// As `heed run` would: without the assumptions on perception where they may be dropped.
+spec::Gr1 played(const job::Design& design, job::Violation on_violation) {
+  if (on_violation == job::Violation::Drop)
+    if (auto free = job::without_perception_assumptions(design.composed.spec)) return *std::move(free);
+  return design.composed.spec;
+}
+
+void measure(const PartsScenario& wanted) {
+  const std::string folder =
+      fmt::format("{}/heed-scaling-{}-{}-{}", std::filesystem::temp_directory_path().string(), wanted.parts,
+                  wanted.cells, wanted.on_violation);
+  const std::string path = write_scenario(wanted, folder);
+  util::Budget budget;
+  Watch watch;
+  const job::Scenario scenario = job::read_scenario(util::read_file(path));
+  const job::World world = job::load_world(scenario, budget.limits(), budget);
+  const double load = watch.lap();
+  const job::Design design = job::design(scenario, world, scenario.controllers.front());
+  const spec::Gr1 spec = played(design, scenario.perception.on_violation);
+  const double compose = watch.lap();
+  strategy::Options options;
+  if (scenario.perception.on_violation == job::Violation::Latch)
+    options.on_violation = strategy::OnViolation::Latch;
+  const strategy::Result result = strategy::synthesize(spec, budget, options);
+  const double synthesis = watch.lap();
+  if (!result.machine) throw std::runtime_error("unrealizable: " + path);
+  const check::Verdict verdict = check::verify(*result.machine, spec, budget);
+  const double verification = watch.lap();
+  if (!verdict.verified) throw std::runtime_error("refuted: " + path);
+  fmt::print("{:>5} {:>5} {:<9} {:>7.3f} {:>7.3f} {:>8.3f} {:>8.3f} {:>8} {:>8} {:>9} {:>6.0f}\n",
+             wanted.parts, wanted.cells, wanted.on_violation, load, compose, synthesis, verification,
+             result.statistics.states_before_minimisation, result.machine->state_count(),
+             result.machine->transitions.size(), static_cast<double>(util::peak_resident_bytes()) / 1e6);
+  std::fflush(stdout);
+  std::filesystem::remove_all(folder);
+}
+
+void sweep() {
+  for (unsigned parts = 2; parts <= 11; ++parts) measure({parts, 5, "drop"});
+  for (const unsigned cells : {10U, 20U, 50U, 100U, 200U}) measure({2, cells, "drop"});
+  for (unsigned parts = 2; parts <= 8; ++parts) measure({parts, 5, "undefined"});
+  for (unsigned parts = 2; parts <= 8; ++parts) measure({parts, 5, "latch"});
+}
+
+}  // namespace
+}  // namespace heed::bench
+
+int main(int argc, char** argv) {
+  using heed::bench::measure;
+  fmt::print("{:>5} {:>5} {:<9} {:>7} {:>7} {:>8} {:>8} {:>8} {:>8} {:>9} {:>6}\n", "parts", "cells",
+             "violation", "load", "compose", "synth", "verify", "before", "states", "rows", "MB");
+  try {
+    if (argc == 4)
+      measure({static_cast<unsigned>(std::strtoul(argv[1], nullptr, 10)),
+               static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10)), argv[3]});
+    else
+      heed::bench::sweep();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
+}
