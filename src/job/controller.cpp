@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace heed::job {
 namespace {
@@ -16,13 +17,38 @@ std::vector<awareness::Name> names(const std::vector<Word>& words) {
   return names;
 }
 
-awareness::PerceptionOptions perception_options(const PerceptionPart& part) {
+/// When \p name is a role that binds features: the most specific ones through it. A triangle that is always
+/// an upright or an inverted one is left to these, so that the values exclude each other.
+std::vector<std::string> values_of_role(const awareness::Catalogue& catalogue, const std::string& name) {
+  const auto through = [&](const awareness::Feature& feature) {
+    return feature.kind != awareness::Feature::Kind::Class &&
+           (catalogue.ontology.local_name(feature.role) == name ||
+            catalogue.ontology.text(feature.role) == name);
+  };
+  std::set<std::size_t> general;
+  for (const awareness::Feature& feature : catalogue.features)
+    if (through(feature))
+      for (const awareness::Entailed& above : feature.implies) general.insert(above.index);
+  std::vector<std::string> values;
+  for (std::size_t f = 0; f < catalogue.features.size(); ++f)
+    if (through(catalogue.features[f]) && !general.contains(f)) values.push_back(catalogue.features[f].atom);
+  return values;
+}
+
+awareness::PerceptionOptions perception_options(const PerceptionPart& part,
+                                                const awareness::Catalogue& catalogue) {
   awareness::PerceptionOptions options;
   options.enumerate = part.enumerate;
-  for (const InputPart& input : part.inputs)
-    options.reported.push_back(
-        {awareness::Name(input.what.text, input.what.location), input.name,
-         input.whole ? awareness::Reported::Reading::Whole : awareness::Reported::Reading::Automatic});
+  for (const InputPart& input : part.inputs) {
+    const auto reading =
+        input.whole ? awareness::Reported::Reading::Whole : awareness::Reported::Reading::Automatic;
+    const auto values = values_of_role(catalogue, input.what.text);
+    for (const std::string& value : values)
+      options.reported.push_back({awareness::Name(value, input.what.location), "", reading});
+    if (values.empty())
+      options.reported.push_back(
+          {awareness::Name(input.what.text, input.what.location), input.name, reading});
+  }
   return options;
 }
 
@@ -164,8 +190,8 @@ World load_world(const Scenario& scenario, const util::Limits& limits, util::Bud
   world.plant =
       model::read_fts(plant.path.empty() ? plant.text : util::read_file(plant.path, limits), limits);
   world.initial_states = initial_states(plant, world.plant);
-  world.perception =
-      awareness::resolve_perception(world.knowledge.catalogue, perception_options(scenario.perception));
+  world.perception = awareness::resolve_perception(
+      world.knowledge.catalogue, perception_options(scenario.perception, world.knowledge.catalogue));
   return world;
 }
 

@@ -52,7 +52,7 @@ std::vector<Iri> roots_of(const dl::Reasoner& reasoner, const std::set<Iri>& use
 
 /// What one role binds: the classes that are described by it, and the named fillers.
 struct Use {
-  std::set<Iri> described, fillers;
+  std::set<Iri> described, fillers, individuals;
 };
 using Uses = std::map<Iri, Use>;
 
@@ -65,10 +65,14 @@ void collect(Iri described, const owl::ClassExpression& expression, Uses& uses) 
     open.pop_back();
     if (next.kind() == Kind::Intersection)
       open.insert(open.end(), next.operands().begin(), next.operands().end());
-    if (next.kind() != Kind::Some || !next.filler().is_named() || next.property().inverse) continue;
+    const bool some = next.kind() == Kind::Some && next.filler().is_named();
+    if ((!some && next.kind() != Kind::HasValue) || next.property().inverse) continue;
     Use& use = uses[next.property().iri];
     use.described.insert(described);
-    use.fillers.insert(next.filler().iri());
+    if (some)
+      use.fillers.insert(next.filler().iri());
+    else
+      use.individuals.insert(next.individuals().front());
   }
 }
 
@@ -84,6 +88,13 @@ Uses uses_of_roles(const owl::Ontology& ontology) {
     }
   }
   return uses;
+}
+
+/// The classes that a role leads to; for an individual those it is an instance of.
+void add_fillers(const dl::Reasoner& reasoner, const Use& use, std::set<Iri>& classes) {
+  classes.insert(use.fillers.begin(), use.fillers.end());
+  for (const Iri individual : use.individuals)
+    for (const Iri type : reasoner.types(individual, true)) classes.insert(type);
 }
 
 std::vector<Word> words_of(const owl::Ontology& ontology, const std::vector<Iri>& iris) {
@@ -113,7 +124,7 @@ KnowledgePart guess_knowledge(const std::string& path, const util::Limits& limit
   for (const auto& [role, use] : uses)
     if (names_action(ontology.local_name(role))) {
       action_roles.push_back(role);
-      behaviours.insert(use.fillers.begin(), use.fillers.end());
+      add_fillers(reasoner, use, behaviours);
       prescribers.insert(use.described.begin(), use.described.end());
     }
   std::vector<Iri> entities = roots_of(reasoner, prescribers);
@@ -123,7 +134,7 @@ KnowledgePart guess_knowledge(const std::string& path, const util::Limits& limit
     const auto about_entity = [&](Iri iri) { return topmost(reasoner, iri) == entities.front(); };
     if (entities.empty() || !std::any_of(use.described.begin(), use.described.end(), about_entity)) continue;
     feature_roles.push_back(role);
-    features.insert(use.fillers.begin(), use.fillers.end());
+    add_fillers(reasoner, use, features);
   }
   const util::Location whole{std::make_shared<const std::string>(path), 0, 0};
   if (entities.empty() || feature_roles.empty())

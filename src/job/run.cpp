@@ -119,13 +119,20 @@ class Job {
       described.file = part.name.text + ".controller.json";
       const std::string path =
           staging_.write(described.file, model::write_mealy(*candidate.done.result.machine));
-      candidate.machine = model::read_mealy(util::read_file(path, budget_.limits()), budget_.limits());
+      candidate.machine = read_back(path);
       candidate.done.result.machine.reset();
     }
     add_notes(candidate.design.recognition.notes);
     add_notes(candidate.design.composed.notes);
     result_.controllers.push_back(std::move(described));
     candidates_.push_back(std::move(candidate));
+  }
+
+  /// The file is heed's own: the limit for inputs does not apply.
+  [[nodiscard]] model::Mealy read_back(const std::string& path) const {
+    util::Limits limits = budget_.limits();
+    limits.input_bytes = 0;
+    return model::read_mealy(util::read_file(path, limits), limits);
   }
 
   /// Several controllers say the same of the same plant; once is enough.

@@ -254,10 +254,17 @@ class Composer {
       bound.insert(binding.behaviour);
     }
     for (const Effect& effect : effects) add_effect(effect);
+    note_unbound(bound);
+  }
+
+  void note_unbound(const std::set<std::string>& bound) {
+    std::string names;
     for (const Definition& d : spec().definitions)
       if (d.role == OutputRole::Prescribed && bound.count(d.name) == 0)
-        note(util::Severity::Note, "unbound-behaviour",
-             fmt::format("'{}' is bound to nothing of the plant: it is advice only", d.name));
+        names += fmt::format("{}'{}'", names.empty() ? "" : ", ", d.name);
+    if (!names.empty())
+      note(util::Severity::Note, "unbound-behaviour",
+           fmt::format("advice only, bound to nothing of the plant: {}", names));
   }
 
   void add_effect(const Effect& effect) {
