@@ -16,7 +16,7 @@ namespace heed::exporter {
 namespace {
 
 using namespace testing;
-using Json = nlohmann::oreedred_json;
+using Json = nlohmann::ordered_json;
 using ::testing::HasSubstr;
 
 /// The code blocks of the format's page after its heading "Example": controller, lines in, lines out.
