@@ -14,7 +14,7 @@ namespace heed::exporter {
 /// Every line is answered with exactly one line, whatever its bytes are; nothing is thrown for bad input.
 class LineExecutor {
  public:
-  static constexpr std::size_t max_line = 64 * 1024;  ///< Bytes of a line without its end.
+  static constexpr std::size_t max_line = std::size_t{64} * 1024;  ///< Bytes of a line without its end.
 
   /// \throws InputError  the machine has no states or two inputs of one name
   explicit LineExecutor(model::Mealy machine);
