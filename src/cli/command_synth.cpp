@@ -3,7 +3,7 @@
 
 #include <heed/check/verify.h>
 #include <heed/model/mealy.h>
-#include <heed/spec/text.h>
+#include <heed/spec/dialect.h>
 #include <heed/strategy/synthesize.h>
 #include <heed/util/file.h>
 
@@ -13,7 +13,7 @@ namespace heed::cli {
 namespace {
 
 spec::Gr1 load_spec(const std::string& path, const util::Limits& limits) {
-  return spec::read_gr1(util::read_file(path, limits), limits);
+  return spec::read_any(util::read_file(path, limits), limits);
 }
 
 strategy::Options synthesis_options(const Arguments& arguments) {

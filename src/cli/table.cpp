@@ -25,7 +25,7 @@ const Option traces_option{"--traces", "N", "the scenario's", "0 ... 10^12",
 const Option threads_option{"--threads", "N", "1", "1 ... 256",
                             "Threads that sample; never changes a figure"};
 
-std::vector<Command> make_commands() {
+std::vector<Command> scenario_commands() {
   return {
       {"run",
        "Do a whole job: synthesize, verify, evaluate, report",
@@ -60,7 +60,11 @@ std::vector<Command> make_commands() {
         {"--gr1", "", "", "", "Only the specification, as a file that heed synth reads"},
         {"--unicode", "", "", "", "Formulas with mathematical symbols"}},
        "heed spec examples/stop-sign/stop-sign.toml --controller awareness",
-       spec_command},
+       spec_command}};
+}
+
+std::vector<Command> controller_commands() {
+  return {
       {"synth",
        "Synthesize a controller from a specification",
        {{"SPEC", "Specification file (docs/formats/gr1.md)"}},
@@ -114,7 +118,11 @@ const std::vector<Option>& common_options() {
 }
 
 const std::vector<Command>& commands() {
-  static const std::vector<Command> table = make_commands();
+  static const std::vector<Command> table = [] {
+    std::vector<Command> all = scenario_commands();
+    for (const Command& command : controller_commands()) all.push_back(command);
+    return all;
+  }();
   return table;
 }
 

@@ -6,7 +6,8 @@
 
 #include "unit/report/sample.h"
 
-/// Writes the page and the document of the sample result into the folder that is named: what the browser test reads.
+/// Writes the page and the document of the sample result into the folder that is named: what the browser test
+/// reads.
 int main(int argc, char** argv) {
   if (argc != 2) {
     std::fputs("usage: sample_report FOLDER\n", stderr);

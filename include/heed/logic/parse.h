@@ -9,8 +9,8 @@
 
 namespace heed::logic {
 
-/// Reads one formula in heed's LTL (docs/formats/ltl.md). Iterative: nesting is bounded by `limits.nesting`, not by the stack.
-/// \throws util::InputError  with the position, what was expected and a caret.
+/// Reads one formula in heed's LTL (docs/formats/ltl.md). Iterative: nesting is bounded by `limits.nesting`,
+/// not by the stack. \throws util::InputError  with the position, what was expected and a caret.
 [[nodiscard]] Formula parse(const util::SourceText& source, const util::Limits& limits = {});
 
 /// The same for a text that stands in no file; messages call it "<formula>".

@@ -9,10 +9,10 @@
 
 namespace heed::logic {
 
-/// Replaces names; `replacement` returns nothing to leave one. Under `Next` the replacement is wrapped in Next: a
-/// definition D = f(X) turns X D into X f(X). O(nodes).
-[[nodiscard]] Formula substitute(const Formula& formula,
-                                 const std::function<std::optional<Formula>(const std::string&)>& replacement);
+/// Replaces names; `replacement` returns nothing to leave one. Under `Next` the replacement is wrapped in
+/// Next: a definition D = f(X) turns X D into X f(X). O(nodes).
+[[nodiscard]] Formula substitute(
+    const Formula& formula, const std::function<std::optional<Formula>(const std::string&)>& replacement);
 
 /// Pushes Next down to names (`X (a & b)` becomes `a' & b'`). \pre no temporal operator but Next
 [[nodiscard]] Formula push_next(const Formula& formula);

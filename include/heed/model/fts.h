@@ -11,17 +11,17 @@
 
 namespace heed::model {
 
-/// A labelled finite transition system: what the machine can do. Immutable after reading. States, actions, labels and values
-/// keep the order in which the file names them.
+/// A labelled finite transition system: what the machine can do. Immutable after reading. States, actions,
+/// labels and values keep the order in which the file names them.
 struct Fts {
   struct Transition {
     std::uint32_t from, action, to;  ///< Indices into `states`, `actions`.
     util::Location location;
   };
-  std::string name;                        ///< File name or "inline".
+  std::string name;  ///< File name or "inline".
   std::vector<std::string> states;
   std::vector<std::string> actions;
-  std::vector<std::uint32_t> initial;      ///< At least one.
+  std::vector<std::uint32_t> initial;  ///< At least one.
   std::vector<Transition> transitions;
   /// `label moving: M4 ...`: a proposition and the states where it holds (one flag per state).
   std::vector<std::pair<std::string, std::vector<bool>>> labels;
@@ -33,8 +33,9 @@ struct Fts {
   [[nodiscard]] bool deterministic() const;
 };
 
-/// Reads `.fts` (docs/formats/fts.md). \throws util::InputError  syntax; a state that is not listed; a state without outgoing
-/// transition ("dead end"); two `initial:` lines; a label or value for an unknown state; a state without a value.
+/// Reads `.fts` (docs/formats/fts.md). \throws util::InputError  syntax; a state that is not listed; a state
+/// without outgoing transition ("dead end"); two `initial:` lines; a label or value for an unknown state; a
+/// state without a value.
 [[nodiscard]] Fts read_fts(const util::SourceText& source, const util::Limits& limits = {});
 
 /// Writes what read_fts() reads back.

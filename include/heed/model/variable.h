@@ -9,7 +9,8 @@
 
 namespace heed::model {
 
-/// The finite domain of a variable. Values are coded as `low ... high`: Boolean 0/1, an enumeration 0 ... n-1.
+/// The finite domain of a variable. Values are coded as `low ... high`: Boolean 0/1, an enumeration 0 ...
+/// n-1.
 struct Domain {
   enum class Kind : std::uint8_t { Boolean, Integer, Enumeration };
   Kind kind = Kind::Boolean;
@@ -32,7 +33,7 @@ struct Domain {
 struct Variable {
   std::string name;
   Domain domain;
-  std::string comment;        ///< What it means, for people; may be empty.
+  std::string comment;  ///< What it means, for people; may be empty.
   util::Location location{};
 };
 

@@ -14,8 +14,8 @@ namespace heed::strategy {
 /// What to do when the environment breaks an assumption at run time.
 enum class OnViolation : std::uint8_t {
   Undefined,  ///< The machine has no row for such an observation.
-  Latch       ///< The row of the nearest legal observation: with what was seen before, else what was seen before, else the
-              ///< first legal one; marked as fallback.
+  Latch  ///< The row of the nearest legal observation: with what was seen before, else what was seen before,
+         ///< else the first legal one; marked as fallback.
 };
 
 struct Options {
@@ -33,20 +33,21 @@ struct Statistics {
 
 /// Why the environment wins: a losing first step, and how it goes on (as far as there is a choice to show).
 struct CounterPlay {
-  std::string losing_initial;          ///< Such as "sign = false, red = true".
-  std::vector<std::string> moves;      ///< Sentences in the specification's names, step by step.
-  std::vector<std::string> reasons;    ///< Clauses that cannot be kept together, if found.
+  std::string losing_initial;        ///< Such as "sign = false, red = true".
+  std::vector<std::string> moves;    ///< Sentences in the specification's names, step by step.
+  std::vector<std::string> reasons;  ///< Clauses that cannot be kept together, if found.
 };
 
 struct Result {
   bool realizable = false;
-  std::optional<model::Mealy> machine;     ///< Realizable and asked for.
-  std::optional<CounterPlay> counter;      ///< Unrealizable.
-  bool relies_on_broken_justice = false;   ///< The strategy somewhere waits for an assumption to fail.
+  std::optional<model::Mealy> machine;    ///< Realizable and asked for.
+  std::optional<CounterPlay> counter;     ///< Unrealizable.
+  bool relies_on_broken_justice = false;  ///< The strategy somewhere waits for an assumption to fail.
   Statistics statistics;
 };
 
-/// Solves the game of \p spec and extracts a minimised Mealy machine. \throws util::LimitExceeded, util::InputError
+/// Solves the game of \p spec and extracts a minimised Mealy machine. \throws util::LimitExceeded,
+/// util::InputError
 [[nodiscard]] Result synthesize(const spec::Gr1& spec, util::Budget& budget, const Options& options = {});
 
 }  // namespace heed::strategy

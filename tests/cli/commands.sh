@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Every command once, as text and as JSON.
+. "$(dirname "$0")/lib.sh"
+scenario=examples/stop-sign/stop-sign.toml
+ontology=examples/stop-sign/traffic-signs.owl
+
+check 'run' exits 0 "$heed" run "$scenario" -o "$work/run"
+check 'run prints the table' says '129691/144000'
+for file in report.html report.json awareness.controller.json tree.gr1; do check "run writes $file" test -s "$work/run/$file"; done
+check 'run --json' exits 0 "$heed" run "$scenario" -o "$work/json" --json
+check 'run --json is JSON' is_json
+check 'run --json equals report.json but for timings' node -e '
+  const fs = require("fs"), [a, b] = process.argv.slice(1).map(f => JSON.parse(fs.readFileSync(f)));
+  delete a.timings; delete b.timings; process.exit(JSON.stringify(a) === JSON.stringify(b) ? 0 : 1)' "$work/out" "$work/run/report.json"
+check 'kb' exits 0 "$heed" kb "$ontology"
+check 'kb shows the stop sign' says 'stop (stop_sign): white, has ground colour red'
+check 'kb --json' exits 0 "$heed" kb "$ontology" --json
+check 'kb --json is JSON' is_json
+check 'explain a reaction' exits 0 "$heed" explain "$scenario" Halt --controller awareness --seen sign,red
+check 'explain says why' says 'prescribes some halt'
+check 'explain an entity of an ontology' exits 0 "$heed" explain "$ontology" StopSign
+check 'explain --json' exits 0 "$heed" explain "$scenario" k1 --json
+check 'explain --json is JSON' is_json
+check 'spec' exits 0 "$heed" spec "$scenario" --controller awareness
+check 'spec shows sigma' says 'G (sign & red -> stop_sign)'
+check 'spec --gr1' exits 0 "$heed" spec "$scenario" --controller tree --gr1
+cp "$work/out" "$work/tree.gr1"
+check 'synth' exits 0 "$heed" synth "$work/tree.gr1" -o "$work/tree.json"
+check 'synth says so' says REALIZABLE
+check 'synth --realizability' exits 0 "$heed" synth "$work/tree.gr1" --realizability
+check 'its first line is the verdict' test "$(head -n 1 "$work/out")" = REALIZABLE
+check 'synth --exit-code syntcomp' exits 10 "$heed" synth "$work/tree.gr1" --realizability --exit-code=syntcomp
+check 'verify' exits 0 "$heed" verify "$work/tree.json" "$work/tree.gr1"
+check 'verify says so' says VERIFIED
+check 'verify --json' exits 0 "$heed" verify "$work/tree.json" "$work/tree.gr1" --json
+check 'verify --json is JSON' is_json
+check 'simulate' exits 0 "$heed" simulate "$scenario" "$work/run/awareness.controller.json" --profile P2
+check 'simulate is exact' says '1/3'
+check 'simulate --json' exits 0 "$heed" simulate "$scenario" "$work/run/base.controller.json" --json --traces 0
+check 'simulate --json is JSON' is_json
+for format in cpp json dot; do check "export --to $format" exits 0 "$heed" export "$work/run/awareness.controller.json" --to $format; done
+check 'version' exits 0 "$heed" version
+check 'version --json' exits 0 "$heed" version --json
+check 'version --json is JSON' is_json
+check 'the second example gives the sigma of the paper' exits 0 "$heed" spec examples/yield-roles/yield.toml --sigma
+check 'recognition' says 'G (sign & red & triangle -> yield)'
+check 'prescription' says "G (yield -> giveWay')"
+finish
