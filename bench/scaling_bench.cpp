@@ -1,6 +1,7 @@
 // The awareness controller as parts and cells grow: CPU time of composing, of synthesis with its explicit
 // machine (solved, extracted, minimised) and of verification, each apart, and the states of the machine.
-// Usage: scaling_bench [PARTS CELLS ON_VIOLATION]; without arguments the sweeps of RESULTS.md.
+// Prints one figure a line, row, column and value separated by tabs. Usage: scaling_bench [PARTS CELLS
+// ON_VIOLATION]; without arguments the sweeps of RESULTS.md.
 #include <fmt/format.h>
 #include <heed/job/controller.h>
 #include <heed/util/file.h>
@@ -57,10 +58,18 @@ void measure(const PartsScenario& wanted) {
   const check::Verdict verdict = check::verify(*result.machine, spec, budget);
   const double verification = watch.lap();
   if (!verdict.verified) throw std::runtime_error("refuted: " + path);
-  fmt::print("{:>5} {:>5} {:<9} {:>7.3f} {:>7.3f} {:>8.3f} {:>8.3f} {:>8} {:>8} {:>9} {:>6.0f}\n",
-             wanted.parts, wanted.cells, wanted.on_violation, load, compose, synthesis, verification,
-             result.statistics.states_before_minimisation, result.machine->state_count(),
-             result.machine->transitions.size(), static_cast<double>(util::peak_resident_bytes()) / 1e6);
+  const std::string row =
+      fmt::format("{} parts, {} cells, {}", wanted.parts, wanted.cells, wanted.on_violation);
+  const auto print = [&](const char* column, double value) {
+    fmt::print("{}\t{}\t{:.6g}\n", row, column, value);
+  };
+  print("load s", load);
+  print("compose s", compose);
+  print("synthesis s", synthesis);
+  print("verify s", verification);
+  print("extracted", static_cast<double>(result.statistics.states_before_minimisation));
+  print("states", result.machine->state_count());
+  print("rows", static_cast<double>(result.machine->transitions.size()));
   std::fflush(stdout);
   std::filesystem::remove_all(folder);
 }
@@ -68,7 +77,8 @@ void measure(const PartsScenario& wanted) {
 void sweep() {
   for (unsigned parts = 2; parts <= 11; ++parts) measure({parts, 5, "drop"});
   for (const unsigned cells : {10U, 20U, 50U, 100U, 200U}) measure({2, cells, "drop"});
-  for (unsigned parts = 2; parts <= 8; ++parts) measure({parts, 5, "undefined"});
+  for (unsigned parts = 2; parts <= 11; ++parts) measure({parts, 5, "undefined"});
+  for (const unsigned cells : {10U, 20U, 50U, 100U, 200U}) measure({2, cells, "undefined"});
   for (unsigned parts = 2; parts <= 8; ++parts) measure({parts, 5, "latch"});
 }
 
@@ -77,8 +87,6 @@ void sweep() {
 
 int main(int argc, char** argv) {
   using heed::bench::measure;
-  fmt::print("{:>5} {:>5} {:<9} {:>7} {:>7} {:>8} {:>8} {:>8} {:>8} {:>9} {:>6}\n", "parts", "cells",
-             "violation", "load", "compose", "synth", "verify", "before", "states", "rows", "MB");
   try {
     if (argc == 4)
       measure({static_cast<unsigned>(std::strtoul(argv[1], nullptr, 10)),
