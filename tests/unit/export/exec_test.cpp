@@ -265,7 +265,7 @@ TEST(Exec, EveryHostileLineIsAnsweredAndNoBadOneIsTaken) {
   const std::vector<std::string> seeds{"{\"red\": true, \"shape\": \"octagon\"}", "{\"shape\": \"triangle\"}",
                                        "{\"red\": false}", "{\"reset\": true}", "{\"red\": [{\"x\": 1e5}]}"};
   const std::string bytes =
-      std::string("{}[]\":,\\truefalsn0-+.eE/ \t\n\r", 30) + std::string("\0\xff\xc3\x80", 4);
+      std::string("{}[]\":,\\truefalsn0-+.eE/ \t\n\r") + std::string("\0\xff\xc3\x80", 4);
   LineExecutor executor(example_machine());
   std::size_t taken = 0;
   for (std::uint64_t seed = 0; seed < 20000; ++seed) {
