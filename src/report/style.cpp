@@ -118,7 +118,6 @@ summary .place { font-weight: 400; }
 .verdict.bad { color: var(--bad); }
 .warning { border-left: 4px solid var(--bad); padding: .2rem 0 .2rem 1.1rem; margin-bottom: 1.2rem; }
 .warning p { margin: 0; }
-.warning p:first-child::first-letter { text-transform: uppercase; }
 .pairs { display: grid; gap: 0 2.5rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 24rem), 1fr)); align-items: start; }
 .pairs > * { min-width: 0; }
 )css";
