@@ -1,6 +1,6 @@
 #pragma once
 
-#include "iri_table.h"
+#include "ontology_data.h"
 
 #include <heed/owl/expression.h>
 #include <heed/util/diagnostic.h>
@@ -66,8 +66,10 @@ struct Graph {
 /// What a reader of one document needs beside the text.
 struct ReadContext {
   IriTable& iris;
+  KindTable& kinds;
   const util::Limits& limits;
   util::Diagnostics& diagnostics;
+  std::size_t document = 0;  ///< Its number in the closure; keeps anonymous individuals apart.
 };
 
 [[nodiscard]] Graph read_rdf_xml(const util::SourceText& source, ReadContext context);

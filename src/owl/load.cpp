@@ -1,8 +1,8 @@
 #include "catalog.h"
-#include "closure.h"
+#include "document.h"
+#include "kinds.h"
 
 #include <heed/owl/read.h>
-#include <heed/owl/vocabulary.h>
 #include <heed/util/file.h>
 
 #include <fmt/format.h>
@@ -13,8 +13,6 @@
 namespace heed::owl {
 namespace {
 
-namespace v = vocabulary;
-
 /// The documents of one import closure, read breadth first.
 class Loader {
  public:
@@ -22,12 +20,14 @@ class Loader {
       : options_(options),
         limits_(limits),
         diagnostics_(diagnostics),
-        data_(std::make_shared<OntologyData>()) {}
+        data_(std::make_shared<OntologyData>()) {
+    add_builtin_kinds(data_->kinds, data_->iris);
+  }
 
   Ontology load(const std::string& path) {
     add(path);
-    for (std::size_t next = 0; next < graphs_.size(); ++next) follow(next);
-    return map_graphs(graphs_, std::move(data_), limits_, diagnostics_);
+    for (std::size_t next = 0; next < documents_.size(); ++next) follow(next);
+    return finish_documents(documents_, std::move(data_), limits_, diagnostics_);
   }
 
  private:
@@ -35,26 +35,19 @@ class Loader {
     std::error_code error;
     const auto canonical = std::filesystem::weakly_canonical(path, error);
     if (!seen_files_.insert(error ? path : canonical.string()).second) return;
-    graphs_.push_back(read_graph(util::read_file(path, limits_), {data_->iris, limits_, diagnostics_}));
-    const Graph& graph = graphs_.back();
-    for (const Triple& t : graph.triples)
-      if ((t.predicate == v::rdf_type && t.object == v::owl_ontology && t.subject.is_iri()))
-        seen_iris_.insert(t.subject.as_iri());
-      else if (t.predicate == v::owl_version_iri && t.object.is_iri())
-        seen_iris_.insert(t.object.as_iri());
+    documents_.push_back(read_document(util::read_file(path, limits_), {data_->iris, data_->kinds, limits_,
+                                                                        diagnostics_, documents_.size()}));
+    for (const Iri name : documents_.back()->header().names) seen_iris_.insert(name);
   }
 
   void follow(std::size_t document) {
-    const std::size_t count = graphs_[document].triples.size();
-    for (std::size_t at = 0; at < count; ++at) {
-      const Triple t = graphs_[document].triples[at];
-      if (t.predicate != v::owl_imports || !t.object.is_iri() || seen_iris_.contains(t.object.as_iri()))
-        continue;
-      const std::string iri(data_->iris.text(t.object.as_iri()));
-      const std::string path = find(iri, graphs_[document].source.name());
-      seen_iris_.insert(t.object.as_iri());
+    for (const auto& [name, offset] : documents_[document]->header().imports) {
+      if (!seen_iris_.insert(name).second) continue;
+      const std::string iri(data_->iris.text(name));
+      const util::SourceText source = documents_[document]->source();
+      const std::string path = find(iri, source.name());
       if (path.empty())
-        missing(graphs_[document].source, t.offset, iri);
+        missing(source, offset, iri);
       else
         add(path);
     }
@@ -64,7 +57,7 @@ class Loader {
     for (const auto& [name, path] : options_.mapping)
       if (name == iri) return path;
     if (options_.use_catalog) {
-      for (const std::string& from : {importer, graphs_.front().source.name()}) {
+      for (const std::string& from : {importer, documents_.front()->source().name()}) {
         const auto& catalog = catalog_of(util::resolve_path(from, "catalog-v001.xml"));
         const auto entry = catalog.find(iri);
         // Nested catalogues go stale when folders move; the root's then still knows.
@@ -95,7 +88,7 @@ class Loader {
   const util::Limits& limits_;
   util::Diagnostics& diagnostics_;
   std::shared_ptr<OntologyData> data_;
-  std::vector<Graph> graphs_;
+  std::vector<std::unique_ptr<Document>> documents_;
   std::set<std::string> seen_files_;
   std::set<Iri> seen_iris_;
   std::map<std::string, std::map<std::string, std::string>> catalogs_;

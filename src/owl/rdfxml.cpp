@@ -1,11 +1,11 @@
 #include "graph.h"
 #include "resolve.h"
 #include "xml_entities.h"
+#include "xml_input.h"
 
 #include <heed/owl/vocabulary.h>
 
 #include <fmt/format.h>
-#include <pugixml.hpp>
 
 #include <deque>
 #include <map>
@@ -13,8 +13,7 @@
 
 // RDF 1.1 XML Syntax, section 7, as a machine with an explicit stack: an element is opened, its children are
 // taken one by one, it is closed. A statement goes out when the element that states it is met, hence before
-// what is nested in it: the triples come in document order. pugixml is told to leave escapes alone, because
-// it knows no declared entities and resolving "&amp;lt;" twice would be wrong; XmlEntities resolves them all.
+// what is nested in it: the triples come in document order.
 
 namespace heed::owl {
 namespace {
@@ -55,7 +54,7 @@ struct Reference {
 class RdfXml {
  public:
   RdfXml(const util::SourceText& source, ReadContext context)
-      : context_(context), buffer_(source.text()), entities_(graph_.source, context.limits) {
+      : context_(context), input_(source), entities_(graph_.source, context.limits) {
     graph_.source = source;
   }
   Graph read();
@@ -65,7 +64,6 @@ class RdfXml {
     std::string_view prefix, uri;
   };
 
-  void parse();
   void take_child(Frame& top);
   void close(const Frame& frame);
   Frame open(Role role, pugi::xml_node element, const Frame& outer);
@@ -89,13 +87,8 @@ class RdfXml {
   std::string_view namespace_of(std::string_view prefix, std::size_t offset);
   void check_iri(Iri iri, std::size_t offset);
 
-  [[nodiscard]] std::size_t offset_of(const char* place) const {
-    return static_cast<std::size_t>(place - buffer_.data());
-  }
-  [[nodiscard]] std::size_t offset_of(pugi::xml_node node) const {
-    const std::size_t at = offset_of(node.name());
-    return at > 0 ? at - 1 : at;
-  }
+  [[nodiscard]] std::size_t offset_of(const char* place) const { return input_.offset_of(place); }
+  [[nodiscard]] std::size_t offset_of(pugi::xml_node node) const { return input_.offset_of(node); }
   std::string_view value_of(pugi::xml_attribute attribute) {
     return entities_.expand(attribute.value(), offset_of(attribute.value()));
   }
@@ -108,9 +101,8 @@ class RdfXml {
 
   ReadContext context_;
   Graph graph_;
-  std::string buffer_;  ///< pugixml parses in place: every name and value points into it.
+  XmlInput input_;
   XmlEntities entities_;
-  pugi::xml_document document_;
   std::vector<Frame> stack_;
   std::vector<Binding> bindings_;
   std::deque<std::string> kept_;                     ///< Bases, namespaces and languages, at fixed addresses.
@@ -121,39 +113,15 @@ class RdfXml {
   std::string scratch_;
 };
 
-std::pair<std::string_view, std::string_view> split_name(std::string_view name) {
-  const std::size_t colon = name.find(':');
-  if (colon == std::string_view::npos) return {{}, name};
-  return {name.substr(0, colon), name.substr(colon + 1)};
-}
-
-void RdfXml::parse() {
-  const unsigned flags = pugi::parse_cdata | pugi::parse_doctype | pugi::parse_eol |
-                         pugi::parse_wconv_attribute | pugi::parse_ws_pcdata_single;
-  const auto result =
-      document_.load_buffer_inplace(buffer_.data(), buffer_.size(), flags, pugi::encoding_utf8);
-  if (!result) {
-    const auto offset =
-        std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), buffer_.size());
-    fail(offset, "not-xml", fmt::format("not well-formed XML: {}", result.description()),
-         "every element must be closed in the order in which it was opened");
-  }
-}
-
 Graph RdfXml::read() {
-  parse();
   bindings_.push_back({"xml", "http://www.w3.org/XML/1998/namespace"});
-  for (const pugi::xml_node child : document_.children()) {
+  for (const pugi::xml_node child : input_.document().children()) {
     if (child.type() == pugi::node_doctype) entities_.declare(child.value(), offset_of(child.value()));
   }
-  const pugi::xml_node root = document_.document_element();
-  if (!root) fail(0, "not-xml", "there is no element");
-  for (pugi::xml_node next = root.next_sibling(); next; next = next.next_sibling())
-    if (next.type() == pugi::node_element)
-      fail(offset_of(next), "not-xml", "a second element stands after the root");
+  const pugi::xml_node root = input_.root();
   kept_.emplace_back("file:" + graph_.source.name());
   Frame outside{.role = Role::Document,
-                .element = document_,
+                .element = input_.document(),
                 .next = {},
                 .subject = {},
                 .base = &kept_.back(),

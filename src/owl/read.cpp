@@ -1,9 +1,11 @@
 #include <heed/owl/read.h>
 
-#include "closure.h"
+#include "document.h"
 #include "graph.h"
 #include "kinds.h"
 #include "mapper.h"
+
+#include <heed/owl/vocabulary.h>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,8 @@
 
 namespace heed::owl {
 namespace {
+
+namespace v = vocabulary;
 
 /// Where the root element begins: over the byte order mark, white space, the XML declaration, comments and
 /// the DOCTYPE.
@@ -72,6 +76,35 @@ Syntax by_extension(const std::string& name) {
   return Syntax::Unknown;
 }
 
+/// A document that was read as triples.
+class GraphDocument : public Document {
+ public:
+  explicit GraphDocument(Graph graph) : Document(graph.source), graph_(std::move(graph)) {}
+  [[nodiscard]] Header header() const override {
+    Header out;
+    for (const Triple& t : graph_.triples) {
+      if (t.predicate == v::rdf_type && t.object == v::owl_ontology && t.subject.is_iri())
+        out.names.push_back(t.subject.as_iri());
+      else if (t.predicate == v::owl_version_iri && t.object.is_iri())
+        out.names.push_back(t.object.as_iri());
+      else if (t.predicate == v::owl_imports && t.object.is_iri())
+        out.imports.emplace_back(t.object.as_iri(), t.offset);
+    }
+    return out;
+  }
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& prefixes() const override {
+    return graph_.prefixes;
+  }
+  void declare(KindTable& kinds) override { collect_declared(graph_, kinds); }
+  bool infer(KindTable& kinds, const IriTable& iris) override { return infer_from_use(graph_, kinds, iris); }
+  void finish(OntologyData& data, const ReadContext& context, std::size_t number) override {
+    Mapper(graph_, data, context.diagnostics, context.limits, number).run();
+  }
+
+ private:
+  Graph graph_;
+};
+
 [[noreturn]] void no_reader(const util::SourceText& source, Syntax syntax) {
   if (syntax == Syntax::Unknown)
     throw util::InputError(source, 0, "unknown-syntax", "this is no syntax of OWL that heed knows",
@@ -106,34 +139,42 @@ Syntax recognise(const util::SourceText& source) {
   return by_extension(source.name());
 }
 
-Graph read_graph(const util::SourceText& source, ReadContext context) {
-  const Syntax syntax = recognise(source);
+std::unique_ptr<Document> read_document(const util::SourceText& source, ReadContext context) {
   if (source.text().size() >= UINT32_MAX)
     throw util::InputError(source, 0, "file-too-large", "an ontology document must be smaller than 4 GiB");
-  if (syntax == Syntax::Turtle) return read_turtle(source, context);
-  if (syntax == Syntax::RdfXml) return read_rdf_xml(source, context);
-  no_reader(source, syntax);
+  const Syntax syntax = recognise(source);
+  switch (syntax) {
+    case Syntax::Turtle:
+      return std::make_unique<GraphDocument>(read_turtle(source, context));
+    case Syntax::RdfXml:
+      return std::make_unique<GraphDocument>(read_rdf_xml(source, context));
+    case Syntax::OwlXml:
+      return read_owl_xml(source, context);
+    default:
+      no_reader(source, syntax);
+  }
 }
 
-Ontology map_graphs(std::vector<Graph>& graphs, std::shared_ptr<OntologyData> data,
-                    const util::Limits& limits, util::Diagnostics& diagnostics) {
-  add_builtin_kinds(data->kinds, data->iris);
-  for (const Graph& graph : graphs) collect_declared(graph, data->kinds);
+Ontology finish_documents(std::vector<std::unique_ptr<Document>>& documents,
+                          std::shared_ptr<OntologyData> data, const util::Limits& limits,
+                          util::Diagnostics& diagnostics) {
+  for (const auto& document : documents) document->declare(data->kinds);
   for (bool changed = true; changed;) {
     changed = false;
-    for (const Graph& graph : graphs) changed |= infer_from_use(graph, data->kinds, data->iris);
+    for (const auto& document : documents) changed |= document->infer(data->kinds, data->iris);
   }
-  for (std::size_t document = 0; document < graphs.size(); ++document)
-    Mapper(graphs[document], *data, diagnostics, limits, document).run();
-  if (!graphs.empty()) data->prefixes = graphs.front().prefixes;
+  for (std::size_t number = 0; number < documents.size(); ++number)
+    documents[number]->finish(*data, {data->iris, data->kinds, limits, diagnostics, number}, number);
+  if (!documents.empty()) data->prefixes = documents.front()->prefixes();
   return Ontology(std::move(data));
 }
 
 Ontology read(const util::SourceText& source, const util::Limits& limits, util::Diagnostics& diagnostics) {
   auto data = std::make_shared<OntologyData>();
-  std::vector<Graph> graphs;
-  graphs.push_back(read_graph(source, {data->iris, limits, diagnostics}));
-  return map_graphs(graphs, std::move(data), limits, diagnostics);
+  add_builtin_kinds(data->kinds, data->iris);
+  std::vector<std::unique_ptr<Document>> documents;
+  documents.push_back(read_document(source, {data->iris, data->kinds, limits, diagnostics}));
+  return finish_documents(documents, std::move(data), limits, diagnostics);
 }
 
 }  // namespace heed::owl

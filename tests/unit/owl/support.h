@@ -51,6 +51,14 @@ inline Read rdf_xml(const std::string& body, const std::string& doctype = "") {
                    "test.owl");
 }
 
+inline Read owl_xml(const std::string& body, const std::string& attributes = "") {
+  return read_text(
+      "<?xml version=\"1.0\"?>\n<Ontology xmlns=\"http://www.w3.org/2002/07/owl#\" "
+      "xml:base=\"http://e/\" ontologyIRI=\"http://e/\"" +
+          attributes + "><Prefix name=\"\" IRI=\"http://e/#\"/>\n" + body + "\n</Ontology>\n",
+      "test.owx");
+}
+
 /// The axioms in functional-style syntax with the namespaces cut off, declarations left out, in document
 /// order.
 inline std::vector<std::string> short_axioms(const Ontology& ontology, bool declarations = false) {
