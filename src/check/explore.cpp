@@ -24,7 +24,6 @@ Explorer::Explorer(const model::Mealy& machine, const Rules& rules, util::Budget
       registers_(rules.registers + 1) {
   map_columns();
   check_machine();
-  rows_.resize(machine.transitions.size());
   product_.words = (rules.env_justices + rules.sys_justices + 63) / 64;
   step_marks_.resize(product_.words);
 }
@@ -180,7 +179,7 @@ bool Explorer::answer(Answer at, std::int32_t* values, Common& common) {
   if (common.fixed && !shares(at, common)) return verdict_->refutations.size() < options_.most;
   for (std::uint32_t slot = rules_.layout.inputs(); slot < rules_.layout.size(); ++slot)
     values[slot] = column(at.row, slot);
-  const RowFacts row = facts(at.row, values);
+  const RowFacts& row = facts(at.row, values);
   if (row.violated && row.wrong_column) return refuse_row(at, row);
   if (common.start)
     for (const Rule& rule : rules_.sys_init)
@@ -280,9 +279,10 @@ bool Explorer::start_broken(const std::int32_t* values) {
 }
 
 const Explorer::RowFacts& Explorer::facts(std::uint32_t row, const std::int32_t* values) {
-  RowFacts& out = rows_[row];
-  if (out.known) return out;
-  out.known = true;
+  const auto& transition = machine_.transitions[row];
+  const auto [at, fresh] = facts_.try_emplace((std::uint64_t{transition.input} << 32U) | transition.output);
+  RowFacts& out = at->second;
+  if (!fresh) return out;
   for (std::uint32_t i = 0; i < rules_.definitions.size() && !out.violated; ++i)
     if (rules_.definitions[i].run({values}, registers_) != values[rules_.layout.definition(i)]) {
       out.violated = &rules_.spec.definitions[i].name;

@@ -51,9 +51,9 @@ class Explorer {
   [[nodiscard]] TraceStep step(std::uint32_t row) const;
 
  private:
-  /// What depends on a row alone, computed when a legal step first takes it.
+  /// What depends on the letters of a row alone, computed when a legal step first has them. Machines repeat
+  /// few pairs of letters in many rows.
   struct RowFacts {
-    bool known = false;
     bool environment_broken =
         false;  ///< An assumption over outputs fails in this step: no obligation follows it.
     std::uint32_t kept = none;
@@ -101,7 +101,7 @@ class Explorer {
   LegalInputs legal_;
   Product product_;
   std::vector<std::uint32_t> columns_;  ///< Of the machine, per slot from the outputs on.
-  std::vector<RowFacts> rows_;
+  std::unordered_map<std::uint64_t, RowFacts> facts_;
   std::vector<std::uint64_t> row_marks_;
   std::size_t kept_width_ = 1;
   std::vector<std::int64_t> kept_values_;
