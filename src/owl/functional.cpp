@@ -2,6 +2,7 @@
 
 #include <heed/owl/print.h>
 #include <heed/owl/vocabulary.h>
+#include <heed/owl/write.h>
 
 #include <fmt/format.h>
 
@@ -71,6 +72,8 @@ class Functional {
     const std::string_view full = ontology_.text(iri);
     return full.starts_with("_:") ? std::string(full) : fmt::format("<{}>", full);
   }
+
+  std::string write(const Annotation& annotation) const { return text(annotation, 0); }
 
  private:
   void add(const char* piece) { pieces_.emplace_back(std::string(piece)); }
@@ -228,6 +231,19 @@ std::string to_functional(const std::vector<AxiomId>& ids, const Ontology& ontol
       if (ontology.is(kind, Iri{id})) head += fmt::format("Declaration({}({}))\n", word, name);
   }
   return head + body + ")\n";
+}
+
+std::string write_functional(const Ontology& ontology) {
+  Functional writer(ontology);
+  std::string out;
+  for (const auto& [prefix, uri] : ontology.prefixes()) out += fmt::format("Prefix({}:=<{}>)\n", prefix, uri);
+  out += "Ontology(";
+  if (!ontology.iri().empty()) out += fmt::format("<{}>", ontology.iri());
+  if (!ontology.version_iri().empty()) out += fmt::format(" <{}>", ontology.version_iri());
+  out += '\n';
+  for (const Annotation& annotation : ontology.annotations()) out += writer.write(annotation) + "\n";
+  for (const Axiom& axiom : ontology.axioms()) out += writer.write(axiom) + "\n";
+  return out + ")\n";
 }
 
 }  // namespace heed::owl

@@ -127,7 +127,8 @@ Syntax recognise(const util::SourceText& source) {
   const std::string_view text = source.text();
   const std::string_view word = first_word(text);
   if (looks_like_turtle(word)) return Syntax::Turtle;
-  if (word == "Prefix(" || word == "Ontology(") return Syntax::Functional;
+  if (word == "Prefix(" || word == "Ontology(" || word == "Prefix" || word == "Ontology")
+    return Syntax::Functional;
   if (word == "Prefix:" || word == "Ontology:") return Syntax::Manchester;
   if (word.starts_with("<")) {
     const std::string_view root = text.substr(root_element(text), 200);
@@ -150,6 +151,8 @@ std::unique_ptr<Document> read_document(const util::SourceText& source, ReadCont
       return std::make_unique<GraphDocument>(read_rdf_xml(source, context));
     case Syntax::OwlXml:
       return read_owl_xml(source, context);
+    case Syntax::Functional:
+      return read_functional(source, context);
     default:
       no_reader(source, syntax);
   }

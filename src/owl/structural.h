@@ -27,7 +27,7 @@ class StructuralBuilder {
   void literal(Literal literal, std::size_t offset);
   void number(std::uint32_t n, std::size_t offset);
 
-  [[nodiscard]] std::size_t depth() const { return frames_.size(); }
+  [[nodiscard]] std::size_t depth() const { return frames_.size() + ignored_; }
   /// Inside a rule, whose contents heed does not read.
   [[nodiscard]] bool ignoring() const { return ignored_ > 0; }
 
