@@ -39,6 +39,20 @@ bool present(const PerceptionInput::Meaning& meaning, const awareness::Catalogue
   return entity == *meaning.whole || catalogue.is_below(entity, *meaning.whole) != nullptr;
 }
 
+/// Whether \p entity has something in the place of \p meaning: a shape where that is the octagon, a whole
+/// where that is the whole stop sign.
+bool has_place(const PerceptionInput::Meaning& meaning, const awareness::Catalogue& catalogue,
+               std::size_t entity) {
+  if (!meaning.feature) return true;
+  const awareness::Feature& feature = catalogue.features[*meaning.feature];
+  if (feature.kind == awareness::Feature::Kind::Class) return false;
+  const auto& own = catalogue.entities[entity].features;
+  return std::any_of(own.begin(), own.end(), [&](const awareness::Entailed& entailed) {
+    const awareness::Feature& other = catalogue.features[entailed.index];
+    return other.kind != awareness::Feature::Kind::Class && other.role == feature.role;
+  });
+}
+
 /// The value that \p thing shows on a feature of a profile; nothing when it does not have it.
 std::optional<std::int32_t> value_of(const Wired& wired, const World& world, Thing thing) {
   if (!thing) return std::nullopt;
@@ -51,6 +65,17 @@ std::optional<std::int32_t> value_of(const Wired& wired, const World& world, Thi
     for (const PerceptionInput::Meaning& meaning : world.perception.inputs[wired.input].meanings)
       if (meaning.feature == described.index) return static_cast<std::int32_t>(meaning.value);
   return std::nullopt;
+}
+
+/// The thing does not show the feature, but something else takes its place in the order of things seen.
+bool is_replaced(const Wired& wired, const World& world, Thing thing) {
+  if (!thing || value_of(wired, world, thing)) return false;
+  const auto& meanings = world.perception.inputs[wired.input].meanings;
+  const auto place = [&](const PerceptionInput::Meaning& meaning) {
+    return has_place(meaning, world.knowledge.catalogue, *thing);
+  };
+  return wired.meaning != nullptr ? place(*wired.meaning)
+                                  : std::any_of(meanings.begin(), meanings.end(), place);
 }
 
 std::uint32_t machine_input(const model::Mealy& machine, const std::string& name) {
@@ -97,12 +122,13 @@ Approach approach(const ProfilePart& profile, const World& world, const model::M
                   util::Budget& budget) {
   Approach made;
   made.binding.blank.assign(machine.inputs.size(), 0);
-  std::vector<std::string> absent;
+  sim::ProfileSpec spec = profile.spec;
   for (std::uint32_t f = 0; f < profile.spec.features.size(); ++f) {
     const sim::FeatureSpec& feature = profile.spec.features[f];
     const Wired wired = find_wired(feature, world.perception);
     const auto value = value_of(wired, world, thing);
-    if (!value) absent.push_back(feature.name);
+    spec.features[f].replaced = is_replaced(wired, world, thing);
+    spec.features[f].absent = feature.absent || (!value && !spec.features[f].replaced);
     const std::uint32_t input = machine_input(machine, world.perception.inputs[wired.input].name);
     // A false detection of what is not there shows the symbol's own value, or the first value of an input as
     // a whole.
@@ -110,15 +136,16 @@ Approach approach(const ProfilePart& profile, const World& world, const model::M
         wired.meaning != nullptr ? static_cast<std::int32_t>(wired.meaning->value) : 1;
     made.binding.wires.push_back({f, input, value.value_or(false_value)});
   }
-  made.chain = sim::compile(sim::without(profile.spec, absent), budget);
+  made.chain = sim::compile(spec, budget);
   return made;
 }
 
 std::string appearance(const ProfilePart& profile, const World& world, Thing thing) {
   std::string text;
   for (const sim::FeatureSpec& feature : profile.spec.features) {
-    const auto value = value_of(find_wired(feature, world.perception), world, thing);
-    text += value ? std::to_string(*value) : "-";
+    const Wired wired = find_wired(feature, world.perception);
+    const auto value = value_of(wired, world, thing);
+    text += value ? std::to_string(*value) : is_replaced(wired, world, thing) ? "other" : "-";
     text += ' ';
   }
   return text;

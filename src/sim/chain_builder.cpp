@@ -195,7 +195,7 @@ void CellUnfolder::report(std::uint32_t cell, std::vector<Branch>& branches) {
     const bool tracked = model_.spec.persistent && feature.detection != 1;
     std::vector<Branch> silent;
     for (Branch& branch : branches) {
-      const bool there = visible(branch.knowledge, f, cell);
+      const bool there = !feature.replaced && visible(branch.knowledge, f, cell);
       const bool sure = (branch.knowledge.reported & bit(f)) != 0;
       const Rational p = sure ? Rational(1) : there ? feature.detection : feature.false_detection;
       if (p == 0) continue;

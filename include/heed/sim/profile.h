@@ -92,6 +92,9 @@ struct FeatureSpec {
   /// The thing on the road does not have this feature: its onset is `never`, for itself and for all that
   /// depend on it.
   bool absent = false;
+  /// The thing on the road has something else in this place, a disc where this is the octagon: the onset is
+  /// drawn, for all that depend on it, but what is reported is as if it were absent.
+  bool replaced = false;
   Rational detection = 1;        ///< Probability to be reported in a cell where it is visible.
   Rational false_detection = 0;  ///< Probability to be reported in a cell where it is not visible, or absent.
   util::Location location{};
