@@ -99,8 +99,9 @@ constexpr std::string_view parts = R"css(
 .list li { break-inside: avoid; min-width: 0; max-width: none; padding: .65em 0; border-top: 1px solid var(--line); }
 .list p { margin: .15em 0 0; }
 .because { color: var(--soft); font-size: .87rem; }
-.place, .origin { color: var(--soft); font-size: .84rem; white-space: nowrap; }
-.list .origin { float: right; margin-left: 1em; }
+.place, .origin { color: var(--soft); font-size: .84rem; }
+.place { white-space: nowrap; }
+.list .origin { float: right; margin-left: 1em; max-width: 60%; overflow-wrap: anywhere; text-align: right; }
 details { padding: .5rem 0 1rem; }
 summary { cursor: pointer; font-weight: 600; padding: .25em 0; }
 summary .place { font-weight: 400; }

@@ -62,6 +62,7 @@ export function compareCurves(curves, json) {
     if (points.length !== curve.points.length) problems.push(`${curve.path}: ${curve.points.length} points`);
     return points.map((point, i) => [point, curve.points[i] ?? [NaN, NaN]]);
   });
+  if (all.length === 0) return problems;
   // One affine map takes metres and km/h to the picture: fixed by two points, it must fit them all.
   const farthest = all.reduce((a, b) => (b[0].metres_to_sign > a[0].metres_to_sign ? b : a));
   const nearest = all.reduce((a, b) => (b[0].metres_to_sign < a[0].metres_to_sign ? b : a));
