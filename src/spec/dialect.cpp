@@ -1,5 +1,7 @@
 #include <heed/spec/dialect.h>
+#include <heed/spec/gr1c.h>
 #include <heed/spec/slugsin.h>
+#include <heed/spec/structured_slugs.h>
 #include <heed/spec/text.h>
 #include <heed/util/diagnostic.h>
 
@@ -83,11 +85,16 @@ Dialect dialect_of(const util::SourceText& source) {
 
 Gr1 read_any(const util::SourceText& source, const util::Limits& limits) {
   switch (dialect_of(source)) {
+    case Dialect::Gr1:
+      break;
     case Dialect::Slugsin:
       return read_slugsin(source, limits);
-    default:
-      return read_gr1(source, limits);
+    case Dialect::StructuredSlugs:
+      return read_structured_slugs(source, limits);
+    case Dialect::Gr1c:
+      return read_gr1c(source, limits);
   }
+  return read_gr1(source, limits);
 }
 
 }  // namespace heed::spec

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace heed::spec {
@@ -22,7 +23,43 @@ constexpr std::array<SlugsSection, 8> slugs_sections{
      {"ENV_LIVENESS", &Gr1::env_justice, false, false, true},
      {"SYS_LIVENESS", &Gr1::sys_justice, false, false, true}}};
 
+void add_clause(Gr1& spec, const util::SourceText& source, const SlugsSection& section, const Read& read,
+                std::size_t end) {
+  if (read.formula.is_true() && !section.justice) return;
+  Clause clause;
+  clause.formula =
+      section.step && !read.primed ? on_steps(read.formula, source.at(read.begin)) : read.formula;
+  clause.text = source.text().substr(read.begin, end - read.begin);
+  (spec.*section.clauses).push_back(std::move(clause));
+}
+
 }  // namespace
+
+void for_each_line(const util::SourceText& source,
+                   const std::function<void(std::size_t begin, std::size_t end)>& visit) {
+  const std::string& text = source.text();
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t stop = std::min(text.find('\n', begin), text.size());
+    std::size_t end = stop;
+    while (begin < end && is_blank(text[begin])) ++begin;
+    while (end > begin && is_blank(text[end - 1])) --end;
+    if (begin < end && text[begin] != '#') visit(begin, end);
+    begin = stop + 1;
+  }
+}
+
+void add_variable(Gr1& spec, bool input, model::Variable variable) {
+  if (input)
+    spec.inputs.push_back(std::move(variable));
+  else
+    spec.outputs.push_back({std::move(variable), model::OutputRole::Output});
+}
+
+void add_clauses(Gr1& spec, const util::SourceText& source, const SlugsSection& section, const Read& line,
+                 std::size_t end, const std::vector<std::pair<Read, std::size_t>>& conjuncts) {
+  if (section.justice || conjuncts.empty()) return add_clause(spec, source, section, line, end);
+  for (const auto& [read, stop] : conjuncts) add_clause(spec, source, section, read, stop);
+}
 
 const SlugsSection* find_section(const util::SourceText& source, std::size_t offset, std::string_view line) {
   std::vector<std::string> known;

@@ -4,6 +4,9 @@
 #include <heed/util/limits.h>
 #include <heed/util/source.h>
 
+#include "prefix.h"
+
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +37,18 @@ void check_place(const util::SourceText& source, std::size_t offset, const Slugs
 
 /// And / Or without its units; nested ones stay as they are, so that shared parts stay shared.
 [[nodiscard]] logic::Formula joined_flat(logic::Op op, std::vector<logic::Formula> parts);
+
+/// Calls \p visit with the begin and end of every line that is neither empty nor a comment (`#` at its
+/// beginning), without the blanks around it.
+void for_each_line(const util::SourceText& source,
+                   const std::function<void(std::size_t begin, std::size_t end)>& visit);
+
+void add_variable(Gr1& spec, bool input, model::Variable variable);
+
+/// Adds what a line of \p section says: one clause, or one for each of \p conjuncts, where an init or a step
+/// is concerned. `true` adds nothing there.
+void add_clauses(Gr1& spec, const util::SourceText& source, const SlugsSection& section, const Read& line,
+                 std::size_t end, const std::vector<std::pair<Read, std::size_t>>& conjuncts);
 
 /// \throws util::InputError  code "too-large"
 void check_size(const util::SourceText& source, const util::Limits& limits);
