@@ -45,6 +45,8 @@ class Document {
 
 [[nodiscard]] std::unique_ptr<Document> read_functional(const util::SourceText& source, ReadContext context);
 
+[[nodiscard]] std::unique_ptr<Document> read_manchester(const util::SourceText& source, ReadContext context);
+
 /// The axioms of \p documents, the root first.
 [[nodiscard]] Ontology finish_documents(std::vector<std::unique_ptr<Document>>& documents,
                                         std::shared_ptr<OntologyData> data, const util::Limits& limits,

@@ -105,14 +105,9 @@ class GraphDocument : public Document {
   Graph graph_;
 };
 
-[[noreturn]] void no_reader(const util::SourceText& source, Syntax syntax) {
-  if (syntax == Syntax::Unknown)
-    throw util::InputError(source, 0, "unknown-syntax", "this is no syntax of OWL that heed knows",
-                           "RDF/XML and Turtle are read");
-  throw util::InputError(
-      source, 0, "unsupported-syntax",
-      fmt::format("the document is in {}, which heed does not read yet", to_string(syntax)),
-      "save it as RDF/XML or Turtle (Protégé: File, Save as)");
+[[noreturn]] void no_reader(const util::SourceText& source) {
+  throw util::InputError(source, 0, "unknown-syntax", "this is no syntax of OWL that heed knows",
+                         "RDF/XML, Turtle, OWL/XML, functional-style and Manchester syntax are read");
 }
 
 }  // namespace
@@ -129,7 +124,7 @@ Syntax recognise(const util::SourceText& source) {
   if (looks_like_turtle(word)) return Syntax::Turtle;
   if (word == "Prefix(" || word == "Ontology(" || word == "Prefix" || word == "Ontology")
     return Syntax::Functional;
-  if (word == "Prefix:" || word == "Ontology:") return Syntax::Manchester;
+  if (word == "Prefix:" || word == "Ontology:" || word.starts_with("Prefix::")) return Syntax::Manchester;
   if (word.starts_with("<")) {
     const std::string_view root = text.substr(root_element(text), 200);
     const std::string_view name = root.substr(0, root.find_first_of(" \t\r\n>/"));
@@ -153,8 +148,10 @@ std::unique_ptr<Document> read_document(const util::SourceText& source, ReadCont
       return read_owl_xml(source, context);
     case Syntax::Functional:
       return read_functional(source, context);
+    case Syntax::Manchester:
+      return read_manchester(source, context);
     default:
-      no_reader(source, syntax);
+      no_reader(source);
   }
 }
 

@@ -103,6 +103,18 @@ std::string_view TextLexer::next_word() {
   return out;
 }
 
+void TextLexer::skip() {
+  const char c = peek();
+  if (c == '"') {
+    string();
+  } else if (c == '<') {
+    const std::size_t end = text_.find_first_of(" \t\r\n<\">", at_ + 1);
+    at_ = end != std::string_view::npos && text_[end] == '>' ? end + 1 : at_ + 1;
+  } else if (word().empty()) {
+    ++at_;
+  }
+}
+
 std::string_view TextLexer::language() {
   const std::size_t begin = ++at_;
   const auto is_part = [](char c) {

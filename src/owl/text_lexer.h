@@ -30,6 +30,8 @@ class TextLexer {
   std::string_view word();
   /// The word that word() would take.
   std::string_view next_word();
+  /// Over one token of whatever kind. \pre not at_end()
+  void skip();
   std::string_view language();  ///< \pre at '@'
 
   [[noreturn]] void fail(std::size_t offset, const char* code, std::string message,

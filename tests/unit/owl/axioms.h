@@ -72,8 +72,7 @@ inline std::vector<std::string> corpus_files() {
     if (std::filesystem::exists(corpus() + folder))
       for (const auto& entry : std::filesystem::recursive_directory_iterator(corpus() + folder))
         if (entry.path().extension() != ".xml" && entry.path().extension() != ".md" &&
-            entry.path().extension() != ".omn" && entry.path().filename() != "LICENSE" &&
-            entry.is_regular_file())
+            entry.path().filename() != "LICENSE" && entry.is_regular_file())
           out.push_back(entry.path().string());
   std::sort(out.begin(), out.end());
   return out;

@@ -22,7 +22,7 @@ TEST(OwlCorpus, TheSyntaxesOfTheSignsSayTheSame) {
   if (!std::filesystem::exists(corpus() + "/owl/signs")) GTEST_SKIP() << "no corpus at " << corpus();
   const auto xml = logical(read_corpus("signs/signs.owl"));
   EXPECT_EQ(xml.size(), 76U);
-  for (const char* other : {"signs.ttl", "signs.owx", "signs.ofn"}) {
+  for (const char* other : {"signs.ttl", "signs.owx", "signs.ofn", "signs.omn"}) {
     SCOPED_TRACE(other);
     EXPECT_EQ(xml, logical(read_corpus(std::string("signs/") + other)));
   }
