@@ -6,6 +6,8 @@
 #include <heed/util/diagnostic.h>
 
 #include "peer.h"
+#include "portable.h"
+#include "words.h"
 
 #include <algorithm>
 #include <array>
@@ -95,6 +97,33 @@ Gr1 read_any(const util::SourceText& source, const util::Limits& limits) {
       return read_gr1c(source, limits);
   }
   return read_gr1(source, limits);
+}
+
+namespace {
+
+/// heed's own format has no shared parts either.
+std::string write_own(const Gr1& spec) {
+  std::vector<logic::Formula> formulas;
+  for (const Part& part : parts)
+    for (const Clause& clause : spec.*part.clauses) formulas.push_back(clause.formula);
+  insist_on_small(formulas, "gr1");
+  return write_gr1(spec);
+}
+
+}  // namespace
+
+std::string write_as(const Gr1& spec, Dialect dialect) {
+  switch (dialect) {
+    case Dialect::Gr1:
+      break;
+    case Dialect::Slugsin:
+      return write_slugsin(spec);
+    case Dialect::StructuredSlugs:
+      return write_structured_slugs(spec);
+    case Dialect::Gr1c:
+      return write_gr1c(spec);
+  }
+  return write_own(spec);
 }
 
 }  // namespace heed::spec
