@@ -8,6 +8,7 @@ int run_command(const Arguments& arguments);
 int kb_command(const Arguments& arguments);
 int explain_command(const Arguments& arguments);
 int spec_command(const Arguments& arguments);
+int convert_command(const Arguments& arguments);
 int synth_command(const Arguments& arguments);
 int verify_command(const Arguments& arguments);
 int simulate_command(const Arguments& arguments);
