@@ -33,6 +33,7 @@ Catalogue Builder::build() {
   note_individuals();
   warn_unsatisfiable();
   judge_sufficiency();
+  add_implications();
   warn_subsumptions();
   warn_conflicts();
   warn_never_recognised();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "atoms.h"
+#include "horn.h"
 #include "told.h"
 
 #include <heed/awareness/catalogue.h>
@@ -80,6 +81,19 @@ class Builder {
   [[nodiscard]] bool refused(std::size_t entity);
   void judge_groups();
   [[nodiscard]] owl::ClassExpression concept_of(const Feature& feature) const;
+
+  // implications.cpp
+  void add_implications();
+  void imply_told(const owl::Axiom& axiom);
+  void imply(const owl::ClassExpression& sub, const owl::ClassExpression& super, owl::AxiomId axiom);
+  void imply_disjoint(const owl::ClassExpression& a, const owl::ClassExpression& b, owl::AxiomId axiom);
+  void imply_single_features();
+  void imply_definitions();
+  [[nodiscard]] std::vector<std::size_t> underived() const;
+  void imply_minimal_parts(std::size_t entity);
+  [[nodiscard]] bool suffices(const std::vector<std::size_t>& features, std::size_t entity) const;
+  [[nodiscard]] std::optional<Implication> named_head(const owl::ClassExpression& part) const;
+  [[nodiscard]] std::optional<Implication> conditions(const owl::ClassExpression& sub) const;
 
   // warnings.cpp
   void warn_subsumptions();

@@ -28,13 +28,19 @@ std::vector<std::string> shrink(std::set<std::string> seen,
   return {seen.begin(), seen.end()};
 }
 
-bool recognised(const Recognition& recognition, const std::string& name, const std::set<std::string>& seen) {
+/// Truth of the derived symbol \p name when exactly \p seen is true.
+bool derived(const Recognition& recognition, const std::string& name, const std::set<std::string>& seen) {
   std::map<std::string, bool> value;
-  for (const RecognisedEntity& entity : recognition.entities)
-    value[entity.name] = evaluate(entity.formula, [&](const std::string& atom) {
-      const auto known = value.find(atom);
-      return known != value.end() ? known->second : seen.contains(atom);
-    });
+  const auto settle = [&](const auto& definitions) {
+    for (const auto& definition : definitions)
+      value[definition.name] = evaluate(definition.formula, [&](const std::string& atom) {
+        const auto known = value.find(atom);
+        return known != value.end() ? known->second : seen.contains(atom);
+      });
+  };
+  settle(recognition.situations);
+  settle(recognition.entities);
+  settle(recognition.behaviours);
   const auto found = value.find(name);
   return found != value.end() && found->second;
 }
@@ -122,20 +128,47 @@ Explanation explain_recognition(const Catalogue& catalogue, const Recognition& r
   const RecognisedEntity* rule = recognition.find_entity(entity);
   if (rule == nullptr)
     return {fmt::format("'{}' is never recognised by this policy ({})", label, recognition.words), false, {}};
-  if (!recognised(recognition, rule->name, seen)) {
+  if (!derived(recognition, rule->name, seen)) {
     const auto lacks = missing(*rule, seen);
     return {fmt::format("'{}' is not recognised", label),
             false,
             {{fmt::format("The nearest evidence lacks {}.", quoted_list(lacks)), {}}}};
   }
-  const auto why = shrink(
-      seen, [&](const std::set<std::string>& part) { return recognised(recognition, rule->name, part); });
+  const auto why =
+      shrink(seen, [&](const std::set<std::string>& part) { return derived(recognition, rule->name, part); });
   const Axioms axioms = axioms_for(*rule, why);
   return {fmt::format("'{}' is recognised", label),
           true,
           {{fmt::format("{} suffices (policy: {}).", quoted_list(why), recognition.words),
             axiom_texts(catalogue, axioms)}}};
 }
+
+namespace {
+
+/// A reaction that is not what recognised entities prescribe: because of what it can still be, or in spite of
+/// it.
+Explanation explain_candidates(const Catalogue& catalogue, const Recognition& recognition,
+                               const PrescribedBehaviour& rule, const std::set<std::string>& seen) {
+  const bool holds = derived(recognition, rule.name, seen);
+  Explanation result{
+      fmt::format("'{}' is {}prescribed", catalogue.behaviours[rule.behaviour].label, holds ? "" : "not "),
+      holds,
+      {{fmt::format("Policy: {}.", recognition.words), {}}}};
+  for (const Situation& situation : recognition.situations) {
+    const bool told =
+        situation.kind == Situation::Kind::Conflict || situation.kind == Situation::Kind::Unknown;
+    if (told && derived(recognition, situation.name, seen))
+      result.steps.push_back({situation.words + ".", {}});
+    if (situation.kind != Situation::Kind::Possible || !derived(recognition, situation.name, seen)) continue;
+    const Entailed* act = catalogue.prescribes(*situation.entity, rule.behaviour);
+    result.steps.push_back(
+        {fmt::format("{}{}.", situation.words, act != nullptr ? ", which prescribes it" : ""),
+         act != nullptr ? axiom_texts(catalogue, act->axioms) : std::vector<AxiomText>{}});
+  }
+  return result;
+}
+
+}  // namespace
 
 Explanation explain_reaction(const Catalogue& catalogue, const Recognition& recognition,
                              std::size_t behaviour, const std::set<std::string>& seen) {
@@ -154,7 +187,8 @@ Explanation explain_reaction(const Catalogue& catalogue, const Recognition& reco
         {fmt::format("A '{}' prescribes to '{}'.", catalogue.entities[entity].label, label),
          axiom_texts(catalogue, catalogue.prescribes(entity, behaviour)->axioms)});
   }
-  return result;
+  if (derived(recognition, rule->name, seen) == result.holds) return result;
+  return explain_candidates(catalogue, recognition, *rule, seen);
 }
 
 std::string to_text(const Explanation& explanation) {

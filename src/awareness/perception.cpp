@@ -16,6 +16,7 @@ struct Symbol {
   std::string atom;
   std::optional<std::size_t> feature{}, whole{};
   util::Location location{};
+  bool excluded = false;  ///< Its absence is reported as well.
 };
 
 /// The index that \p find returns, or nothing where the catalogue has no such thing; ambiguity stays an
@@ -56,6 +57,7 @@ std::optional<std::size_t> feature_of_entity(const Catalogue& catalogue, std::si
 Symbol resolve(const Catalogue& catalogue, const Reported& reported) {
   Symbol symbol;
   symbol.location = reported.what.location;
+  symbol.excluded = reported.excluded;
   const auto entity = attempt([&] { return catalogue.entity(reported.what); });
   const auto feature = attempt([&] { return catalogue.feature(reported.what); });
   const bool proper = feature && catalogue.features[*feature].kind != Feature::Kind::Class;
@@ -73,6 +75,10 @@ Symbol resolve(const Catalogue& catalogue, const Reported& reported) {
     throw util::InputError(reported.what.location, "wrong-reading",
                            fmt::format("'{}' cannot be reported this way", reported.what.text),
                            "features are reported as features, entities without subentities as a whole");
+  if (symbol.excluded && !symbol.feature)
+    throw util::InputError(reported.what.location, "wrong-reading",
+                           fmt::format("'{}' is read whole; only features are excluded", reported.what.text),
+                           "exclude one of its features");
   const std::string own =
       symbol.feature ? catalogue.features[*symbol.feature].atom : catalogue.entities[*symbol.whole].atom;
   symbol.atom = reported.atom.empty() ? own : reported.atom;
@@ -144,7 +150,7 @@ class InputList {
   }
 
   void add_boolean(const Symbol& symbol) {
-    inputs.push_back({symbol.atom, {}, {{1, symbol.atom, symbol.feature, symbol.whole}}});
+    inputs.push_back({symbol.atom, {}, {{1, symbol.atom, symbol.feature, symbol.whole, {}}}});
     symbols.emplace_back(symbol.atom, logic::name(symbol.atom));
   }
 
@@ -153,10 +159,29 @@ class InputList {
     const auto [place, fresh] = by_role_.emplace(feature.role.id, inputs.size());
     if (fresh) inputs.push_back({names_.claim(feature.role_atom), {"unknown"}, {}});
     PerceptionInput& input = inputs[place->second];
-    input.meanings.push_back({input.values.size(), symbol.atom, symbol.feature, {}});
+    input.meanings.push_back({input.values.size(), symbol.atom, symbol.feature, {}, {}});
     input.values.push_back(symbol.atom);
     symbols.emplace_back(symbol.atom,
                          logic::compare(logic::Op::Eq, logic::name(input.name), logic::name(symbol.atom)));
+  }
+
+  /// \returns the name of the input that reports the absence.
+  std::string add_exclusion(const Symbol& symbol) {
+    const std::string name = names_.claim("no_" + symbol.atom);
+    inputs.push_back({name, {}, {{1, name, {}, {}, symbol.feature}}});
+    symbols.emplace_back(name, logic::name(name));
+    return name;
+  }
+
+  /// Absence of each of \p reported under a full view.
+  std::vector<std::pair<std::string, logic::Formula>> add_full_view(const std::string& wanted) {
+    const std::string view = names_.claim(wanted);
+    std::vector<std::pair<std::string, logic::Formula>> absences;
+    for (const auto& [atom, meaning] : symbols)
+      absences.emplace_back(names_.claim("no_" + atom), logic::name(view) && !meaning);
+    inputs.push_back({view, {}, {{1, view, {}, {}, {}}}});
+    symbols.emplace_back(view, logic::name(view));
+    return absences;
   }
 
   std::vector<PerceptionInput> inputs{};
@@ -167,6 +192,26 @@ class InputList {
   AtomTable names_{};
   std::map<std::uint32_t, std::size_t> by_role_{};
 };
+
+/// Inputs for what is seen to be missing: one each where asked for, or one for all.
+void add_absences(const std::vector<Symbol>& symbols, const std::string& full_view, InputList& list,
+                  Perception& perception) {
+  for (const Symbol& symbol : symbols) {
+    if (!symbol.excluded) continue;
+    if (!full_view.empty())
+      throw util::InputError(symbol.location, "double-exclusion",
+                             fmt::format("'{}' is excluded by the full view already", symbol.atom),
+                             "use either 'full_view' or 'excluded'");
+    perception.excluded_atom[*symbol.feature] = list.add_exclusion(symbol);
+  }
+  if (full_view.empty()) return;
+  const auto absences = list.add_full_view(full_view);
+  for (std::size_t i = 0; i < symbols.size(); ++i)
+    if (symbols[i].feature) {
+      perception.excluded_atom[*symbols[i].feature] = absences[i].first;
+      perception.absences.push_back(absences[i]);
+    }
+}
 
 }  // namespace
 
@@ -180,6 +225,7 @@ Perception resolve_perception(const Catalogue& catalogue, const PerceptionOption
   Perception perception;
   perception.perceivable.assign(catalogue.features.size(), false);
   perception.feature_atom.resize(catalogue.features.size());
+  perception.excluded_atom.resize(catalogue.features.size());
   perception.whole_atom.resize(catalogue.entities.size());
   const auto roles =
       options.enumerate ? enumerated_roles(catalogue, symbols, perception.notes) : std::set<std::uint32_t>{};
@@ -195,6 +241,7 @@ Perception resolve_perception(const Catalogue& catalogue, const PerceptionOption
                             roles.contains(catalogue.features[*symbol.feature].role.id);
     enumerated ? list.add_value(symbol) : list.add_boolean(symbol);
   }
+  add_absences(symbols, options.full_view, list, perception);
   perception.inputs = std::move(list.inputs);
   perception.symbols = std::move(list.symbols);
   return perception;
@@ -204,6 +251,7 @@ logic::Formula Perception::over_inputs(const logic::Formula& formula) const {
   std::map<std::string, logic::Formula> table;
   for (const auto& [atom, meaning] : symbols)
     if (meaning.op() != logic::Op::Name) table.emplace(atom, meaning);
+  for (const auto& [atom, meaning] : absences) table.emplace(atom, meaning);
   if (table.empty()) return formula;
   return logic::substitute(formula, [&](const std::string& name) -> std::optional<logic::Formula> {
     const auto found = table.find(name);

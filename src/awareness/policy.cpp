@@ -5,29 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace heed::awareness {
 namespace {
 
-constexpr std::array<std::string_view, 5> words{"full", "tree", "tree-or-full", "definition", "at-least"};
-
-bool equivalent(const Catalogue& catalogue, std::size_t a, std::size_t b) {
-  return catalogue.is_below(a, b) != nullptr && catalogue.is_below(b, a) != nullptr;
-}
-
-/// Entities ordered so that each comes after everything strictly below it.
-std::vector<std::size_t> bottom_up(const Catalogue& catalogue) {
-  std::vector<std::size_t> below(catalogue.entities.size(), 0);
-  for (std::size_t d = 0; d < catalogue.entities.size(); ++d)
-    for (const Entailed& up : catalogue.entities[d].ancestors)
-      if (!equivalent(catalogue, d, up.index)) ++below[up.index];
-  std::vector<std::size_t> order(catalogue.entities.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return below[a] < below[b]; });
-  return order;
-}
+constexpr std::array<std::string_view, 6> words{"full",       "tree",     "tree-or-full",
+                                                "definition", "at-least", "identifying"};
+constexpr std::array<std::string_view, 3> acting_words{"cautious", "common", "brave"};
 
 }  // namespace
 
@@ -39,6 +23,16 @@ std::optional<PolicyOptions::Kind> read_policy(std::string_view word) {
   const auto place = std::find(words.begin(), words.end(), word);
   if (place == words.end()) return std::nullopt;
   return static_cast<PolicyOptions::Kind>(place - words.begin());
+}
+
+std::string_view to_string(PolicyOptions::Acting acting) {
+  return acting_words[static_cast<std::size_t>(acting)];
+}
+
+std::optional<PolicyOptions::Acting> read_acting(std::string_view word) {
+  const auto place = std::find(acting_words.begin(), acting_words.end(), word);
+  if (place == acting_words.end()) return std::nullopt;
+  return static_cast<PolicyOptions::Acting>(place - acting_words.begin());
 }
 
 const RecognisedEntity* Recognition::find_entity(std::size_t entity) const {
@@ -81,7 +75,7 @@ void PolicyCompiler::add_entity(std::size_t entity, const std::map<std::size_t, 
     Rule of_member{logic::name(member.name), member.evidence, member.evidence_complete};
     rule = either(rule, because_of(std::move(of_member), up->axioms));
   }
-  if (rule.evidence.empty()) return;
+  if (rule.formula.op() == logic::Op::False) return;
   result.formula = rule.formula;
   result.evidence = rule.evidence;
   result.evidence_complete = rule.complete;
@@ -122,10 +116,16 @@ Recognition PolicyCompiler::compile() {
   over_ = resolve_items(options_.over);
   order_ = resolve_items(options_.order);
   note_words();
+  if (asks_for_candidates()) {
+    possible_.emplace(catalogue_, perception_, options_.closed, options_.direct.value_or(true));
+    result_.situations = possible_->situations();
+    note_acting_words();
+  }
   std::map<std::size_t, Rule> own;
   for (const std::size_t e : targets()) own[e] = rule_for(e);
   add_entities(own);
   add_behaviours();
+  if (possible_) act();
   return std::move(result_);
 }
 

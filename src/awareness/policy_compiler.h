@@ -2,6 +2,7 @@
 
 #include "atoms.h"
 #include "evidence.h"
+#include "possible.h"
 
 #include <heed/awareness/policy.h>
 
@@ -53,6 +54,13 @@ class PolicyCompiler {
   void add_entities(const std::map<std::size_t, Rule>& own);
   void add_entity(std::size_t entity, const std::map<std::size_t, Rule>& own);
   void add_behaviours();
+
+  // acting.cpp
+  [[nodiscard]] bool asks_for_candidates() const;
+  [[nodiscard]] Rule identifying_rule(std::size_t entity);
+  void act();
+  [[nodiscard]] logic::Formula acting_formula(std::size_t behaviour, const logic::Formula& cautious) const;
+  void note_acting_words();
   void note(std::string code, std::string message, std::string hint = {});
 
   const Catalogue& catalogue_;
@@ -61,6 +69,8 @@ class PolicyCompiler {
   std::vector<Item> over_, order_;
   std::map<std::vector<std::string>, std::string> memory_names_;  ///< Of the tree, by path.
   AtomTable memory_atoms_;
+  std::optional<Possibilities> possible_;
+  std::size_t evidence_work_ = 20'000'000;  ///< Steps that may be spent on listing evidence.
   Recognition result_;
 };
 

@@ -45,6 +45,8 @@ std::vector<std::size_t> PolicyCompiler::default_targets() {
   for (std::size_t e = 0; e < catalogue_.entities.size(); ++e) {
     if (options_.kind == PolicyOptions::Kind::Full) {
       if (!perception_.whole_atom[e].empty()) result.push_back(e);
+    } else if (options_.kind == PolicyOptions::Kind::Identifying) {
+      if (catalogue_.entities[e].satisfiable) result.push_back(e);
     } else if (recognisable(catalogue_.entities[e])) {
       result.push_back(e);
     }
@@ -63,7 +65,8 @@ std::vector<std::size_t> PolicyCompiler::targets() {
     if (!entity.satisfiable)
       note("unsatisfiable-entity",
            fmt::format("'{}' is to be recognised, but nothing can be one", entity.label));
-    else if (!recognisable(entity) && options_.kind != PolicyOptions::Kind::Full)
+    else if (!recognisable(entity) && options_.kind != PolicyOptions::Kind::Full &&
+             options_.kind != PolicyOptions::Kind::Identifying)
       note(
           "not-defined",
           fmt::format("'{}' is to be recognised, but the ontology does not say that its description suffices",
@@ -143,6 +146,10 @@ Rule PolicyCompiler::rule_for(std::size_t entity) {
       rule = at_least_rule(entity);
       direct = options_.direct.value_or(true);
       break;
+    case Kind::Identifying:
+      rule = identifying_rule(entity);
+      direct = options_.direct.value_or(true);
+      break;
   }
   return direct ? either(rule, whole_rule(entity)) : rule;
 }
@@ -166,6 +173,10 @@ void PolicyCompiler::note_words() {
       words = options_.over.empty() ? fmt::format("any {} of its described features are seen now", options_.k)
                                     : fmt::format("any {} of {} that describe it are seen now", options_.k,
                                                   listed(over_, ", "));
+      break;
+    case PolicyOptions::Kind::Identifying:
+      words = fmt::format("what is seen entails it, or leaves nothing else in {}",
+                          options_.closed ? "the catalogue, taken as complete" : "the catalogue");
       break;
     case PolicyOptions::Kind::Tree:
     case PolicyOptions::Kind::TreeOrFull:

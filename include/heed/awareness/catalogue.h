@@ -103,6 +103,16 @@ struct Entity {
   [[nodiscard]] bool is_leaf() const { return children.empty(); }
 };
 
+/// "Whatever is and has all of these is that": a definition, a general inclusion, or that things exclude each
+/// other, beyond what Entity, Feature and Behaviour list of themselves.
+struct Implication {
+  enum class Head { Entity, Feature, Behaviour, Nothing };
+  std::vector<std::size_t> entities{}, features{};  ///< The conditions, ascending; not both empty.
+  Head head = Head::Nothing;
+  std::size_t index = 0;  ///< Of the head; 0 for Nothing.
+  std::vector<owl::AxiomId> axioms{};
+};
+
 /// Something a safety engineer should know. Codes: unasserted-subsumption, unasserted-equivalence,
 /// unsatisfiable-entity, indistinguishable, unused-feature, excludes-nothing, conflicting-prescriptions,
 /// never-recognised, sufficient-refused, no-prescription.
@@ -125,6 +135,7 @@ struct Catalogue {
   util::Diagnostics notes;  ///< Such as that role assertions of individuals were read as class descriptions.
   /// Pairs (smaller, larger) of features that no thing can have together, and why.
   std::map<std::pair<std::size_t, std::size_t>, std::vector<owl::AxiomId>> exclusive;
+  std::vector<Implication> implications;  ///< In the order of the ontology, then what the reasoner added.
 
   /// By atom, local name, label or IRI; a feature also as "hasMainColour Red" or "hasMainColour.Red". \throws
   /// util::InputError "unknown-entity", "unknown-feature", "unknown-behaviour" with the nearest name;

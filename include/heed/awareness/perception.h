@@ -22,6 +22,8 @@ struct Reported {
   Name what;           ///< Feature or entity of the catalogue.
   std::string atom{};  ///< Name of the symbol in formulas; empty: that of the catalogue.
   Reading reading = Reading::Automatic;
+  /// Perception can also report that the feature is not there: a further Boolean input `no_<atom>`.
+  bool excluded = false;
 };
 
 /// A variable of the environment. Free of any model of variables: whoever composes a specification converts
@@ -29,10 +31,11 @@ struct Reported {
 struct PerceptionInput {
   /// What one value stands for.
   struct Meaning {
-    std::size_t value;                     ///< Index into `values`; 1 for a Boolean input.
-    std::string atom;                      ///< "red"
-    std::optional<std::size_t> feature{};  ///< Exactly one of these two.
-    std::optional<std::size_t> whole{};    ///< Entity that is read whole.
+    std::size_t value;                      ///< Index into `values`; 1 for a Boolean input.
+    std::string atom;                       ///< "red"
+    std::optional<std::size_t> feature{};   ///< At most one of these three; none for `full_view`.
+    std::optional<std::size_t> whole{};     ///< Entity that is read whole.
+    std::optional<std::size_t> excluded{};  ///< Feature that is seen to be missing.
   };
   std::string name;                   ///< "main_colour" or, Boolean, "octagon".
   std::vector<std::string> values{};  ///< Empty: Boolean. Else "unknown", then one name per feature.
@@ -44,9 +47,12 @@ struct Perception {
   std::vector<PerceptionInput> inputs;
   /// Each symbol as a formula over the inputs, in the order reported: `red` is `main_colour = red` or `red`.
   std::vector<std::pair<std::string, logic::Formula>> symbols;
-  std::vector<bool> perceivable;          ///< Per feature of the catalogue.
-  std::vector<std::string> feature_atom;  ///< Per feature; empty when not reported.
-  std::vector<std::string> whole_atom;    ///< Per entity; empty when not reported.
+  std::vector<bool> perceivable;           ///< Per feature of the catalogue.
+  std::vector<std::string> feature_atom;   ///< Per feature; empty when not reported.
+  std::vector<std::string> whole_atom;     ///< Per entity; empty when not reported.
+  std::vector<std::string> excluded_atom;  ///< Per feature; empty when its absence is never reported.
+  /// `no_red` is `full_view & !red`: symbols for absence that follow from a full view.
+  std::vector<std::pair<std::string, logic::Formula>> absences;
   util::Diagnostics notes;
 
   /// Replaces symbols by what they mean over the inputs.
@@ -58,6 +64,9 @@ struct PerceptionOptions {
   /// Features that are values of one functional role and exclude each other become one enumerated input when
   /// there are two or more of them. Off: every symbol is a Boolean input.
   bool enumerate = true;
+  /// Name of a Boolean input that says that all there is to see is seen: while it holds, every reported
+  /// feature that is not seen is excluded. Empty: none, and what is not seen is unknown.
+  std::string full_view{};
 };
 
 /// \throws util::InputError  an unknown name with the nearest one; two symbols with one name; one thing
