@@ -5,6 +5,7 @@
 #endif
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -26,7 +27,7 @@ class RandomLanes {
   RandomLanes(std::uint64_t stream, std::uint64_t index)
       : c0_(spread(index)),
         c1_(spread(index >> 32)),
-        c2_(_mm_set_epi64x(static_cast<long long>(stream + 1), static_cast<long long>(stream))),
+        c2_(_mm_add_epi64(spread(stream), _mm_set_epi64x(1, 0))),
         c3_(_mm_srli_epi64(c2_, 32)) {}
 
   void round(std::uint32_t k0, std::uint32_t k1) {
@@ -47,7 +48,7 @@ class RandomLanes {
   static constexpr std::size_t size = 2;
 
  private:
-  static __m128i spread(std::uint64_t value) { return _mm_set1_epi64x(static_cast<long long>(value)); }
+  static __m128i spread(std::uint64_t value) { return _mm_set1_epi64x(std::bit_cast<std::int64_t>(value)); }
   static void store(__m128i value, std::uint32_t* target) {
     _mm_storel_epi64(reinterpret_cast<__m128i*>(target), _mm_shuffle_epi32(value, _MM_SHUFFLE(3, 1, 2, 0)));
   }
