@@ -16,9 +16,10 @@ if(HEED_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${HEED_CCACHE})
 endif()
 
+# g++ 12 invents -Wrestrict and -Wmaybe-uninitialized findings inside std::string and std::optional.
 add_library(heed_flags INTERFACE)
 target_compile_options(heed_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-  -Wno-sign-conversion $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<BOOL:${HEED_WERROR}>:-Werror>)
+  -Wno-sign-conversion "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-maybe-uninitialized>" $<$<BOOL:${HEED_WERROR}>:-Werror>)
 if(HEED_SANITIZE)
   target_compile_options(heed_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(heed_flags INTERFACE -fsanitize=address,undefined)
