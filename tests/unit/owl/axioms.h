@@ -43,6 +43,12 @@ inline std::string sorted_text(const std::string& text) {
   return sorted_text(text, at);
 }
 
+inline std::string blank_names_alike(std::string text) {
+  for (std::size_t at = text.find("_:d"); at != std::string::npos; at = text.find("_:d", at + 3))
+    text.erase(at + 3, text.find_first_of(" )", at) - at - 3);
+  return text;
+}
+
 /// The axioms as texts, whatever their order; blank nodes are called alike, so that two ontologies that
 /// differ in their names only give the same.
 template <class Keep>
@@ -50,10 +56,7 @@ std::multiset<std::string> axiom_set(const Ontology& ontology, Keep keep) {
   std::multiset<std::string> out;
   for (const Axiom& axiom : ontology.axioms()) {
     if (!keep(axiom)) continue;
-    std::string text = to_functional(axiom, ontology);
-    for (std::size_t at = text.find("_:d"); at != std::string::npos; at = text.find("_:d", at + 3))
-      text.erase(at + 3, text.find_first_of(" )", at) - at - 3);
-    out.insert(sorted_text(text));
+    out.insert(sorted_text(blank_names_alike(to_functional(axiom, ontology))));
   }
   return out;
 }

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
+#include <ctime>
 
 namespace heed::owl::test {
 namespace {
@@ -91,7 +91,7 @@ std::string laughs(int levels, const std::string& leaf) {
 
 /// Exponential, quadratic, empty-leaf and cyclic definitions end at the cap, fast.
 TEST(RdfXml, RefusesHostileEntities) {
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   const auto code = [](const std::string& doctype, const std::string& text) {
     return refused([&] {
              rdf_xml("<owl:Class rdf:about=\"#A\"><rdfs:label>" + text + "</rdfs:label></owl:Class>",
@@ -110,7 +110,7 @@ TEST(RdfXml, RefusesHostileEntities) {
   EXPECT_EQ(code("<!DOCTYPE rdf:RDF [<!ENTITY % p \"x\"> %p;]>\n", "x"), "parameter-entity");
   EXPECT_EQ(code("<!DOCTYPE rdf:RDF [<!ENTITY a \"<b/>\">]>\n", "&a;"), "entity-markup");
   EXPECT_EQ(code("", "&nowhere;"), "undefined-entity");
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+  EXPECT_LT(std::clock() - begin, 5 * CLOCKS_PER_SEC) << "of the processor, however busy the machine is";
 }
 
 TEST(RdfXml, RefusesDeepNestingWithAMessage) {
