@@ -39,6 +39,7 @@ class Maker {
     for (int i = 0; i < features; ++i) {
       FeatureSpec feature{fmt::format("f{}", i), ShuffledOnset{}};
       feature.absent = pick(6) == 0;
+      feature.replaced = pick(6) == 0;
       if (pick(3) == 0) feature.detection = Rational(pick(4), 3);
       if (pick(3) == 0) feature.false_detection = Rational(pick(3), 4);
       feature.detection.canonicalize();
@@ -176,7 +177,7 @@ std::map<std::vector<bool>, Rational> reports(const ProfileSpec& spec, const Fea
   for (int cell = 0; cell < static_cast<int>(spec.cells); ++cell) {
     std::map<std::pair<std::vector<bool>, bool>, Rational> next;
     for (const auto& [past, probability] : layer) {
-      const bool there = onset <= cell, sure = past.second && spec.persistent;
+      const bool there = !feature.replaced && onset <= cell, sure = past.second && spec.persistent;
       const Rational p = sure ? Rational(1) : there ? feature.detection : feature.false_detection;
       for (const bool yes : {false, true}) {
         auto bits = past.first;
