@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "evidence.h"
 #include "inputs.h"
 #include "output.h"
 
@@ -187,6 +188,16 @@ Json document(const job::Knowledge& knowledge) {
   return out;
 }
 
+/// With a scenario, what its perception reports, and closed unless its last identifying controller is open.
+EvidenceView evidence_of(const Arguments& arguments, const job::Knowledge& knowledge) {
+  if (!is_scenario(arguments.operands().front())) return evidence_view(knowledge, {}, true);
+  const job::Scenario scenario = load_scenario(arguments);
+  bool closed = true;
+  for (const job::ControllerPart& part : scenario.controllers)
+    if (part.policy.text == "identifying") closed = part.closed;
+  return evidence_view(knowledge, scenario.perception, closed);
+}
+
 }  // namespace
 
 int kb_command(const Arguments& arguments) {
@@ -196,6 +207,7 @@ int kb_command(const Arguments& arguments) {
   const job::Knowledge knowledge = job::load_knowledge(part, arguments.limits(), budget);
   if (arguments.json()) {
     Json out = document(knowledge);
+    if (arguments.has("--evidence")) out["evidence"] = evidence_of(arguments, knowledge).json;
     out["notes"] = to_json(notes);
     print_json(out);
     return 0;
@@ -205,6 +217,7 @@ int kb_command(const Arguments& arguments) {
       notes.push_back(diagnostic);
   print_diagnostics(notes);
   print(text(knowledge, arguments.has("--quiet")));
+  if (arguments.has("--evidence")) print(evidence_of(arguments, knowledge).text);
   return 0;
 }
 

@@ -39,15 +39,16 @@ awareness::PerceptionOptions perception_options(const PerceptionPart& part,
                                                 const awareness::Catalogue& catalogue) {
   awareness::PerceptionOptions options;
   options.enumerate = part.enumerate;
+  options.full_view = part.full_view;
   for (const InputPart& input : part.inputs) {
     const auto reading =
         input.whole ? awareness::Reported::Reading::Whole : awareness::Reported::Reading::Automatic;
     const auto values = values_of_role(catalogue, input.what.text);
     for (const std::string& value : values)
-      options.reported.push_back({awareness::Name(value, input.what.location), "", reading});
+      options.reported.push_back({awareness::Name(value, input.what.location), "", reading, input.excluded});
     if (values.empty())
       options.reported.push_back(
-          {awareness::Name(input.what.text, input.what.location), input.name, reading});
+          {awareness::Name(input.what.text, input.what.location), input.name, reading, input.excluded});
   }
   return options;
 }
@@ -60,7 +61,11 @@ awareness::PolicyOptions policy_options(const ControllerPart& part) {
   options.order = names(part.order);
   options.k = part.k;
   options.latch = part.latch;
-  options.direct = part.direct.value_or(false);
+  // What entails the thing is the thing read whole above all; the other policies ask for it by name.
+  options.direct = part.direct.value_or(options.kind == awareness::PolicyOptions::Kind::Identifying);
+  if (part.behaviours) options.acting = *awareness::read_acting(part.behaviours->text);
+  options.closed = part.closed;
+  options.fallback = names(part.fallback);
   return options;
 }
 
@@ -132,6 +137,12 @@ void add_recognition(const World& world, const awareness::Recognition& recogniti
     memory.comment = level.comment;
     parts.memories.push_back(std::move(memory));
   }
+  for (const awareness::Situation& situation : recognition.situations)
+    parts.definitions.push_back({situation.name,
+                                 perception.over_inputs(situation.formula),
+                                 model::OutputRole::Recognised,
+                                 situation.words,
+                                 {}});
   for (const awareness::RecognisedEntity& entity : recognition.entities)
     parts.definitions.push_back({entity.name, perception.over_inputs(entity.formula),
                                  model::OutputRole::Recognised,
@@ -182,6 +193,10 @@ std::vector<std::string> perception_assumptions(const spec::Gr1& spec) {
 
 }  // namespace
 
+awareness::Perception perceive(const PerceptionPart& part, const awareness::Catalogue& catalogue) {
+  return awareness::resolve_perception(catalogue, perception_options(part, catalogue));
+}
+
 World load_world(const Scenario& scenario, const util::Limits& limits, util::Budget& budget) {
   World world;
   world.knowledge = load_knowledge(scenario.knowledge, limits, budget);
@@ -190,8 +205,7 @@ World load_world(const Scenario& scenario, const util::Limits& limits, util::Bud
   world.plant =
       model::read_fts(plant.path.empty() ? plant.text : util::read_file(plant.path, limits), limits);
   world.initial_states = initial_states(plant, world.plant);
-  world.perception = awareness::resolve_perception(
-      world.knowledge.catalogue, perception_options(scenario.perception, world.knowledge.catalogue));
+  world.perception = perceive(scenario.perception, world.knowledge.catalogue);
   return world;
 }
 

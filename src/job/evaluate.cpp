@@ -36,6 +36,8 @@ Wired find_wired(const sim::FeatureSpec& feature, const awareness::Perception& p
 bool present(const PerceptionInput::Meaning& meaning, const awareness::Catalogue& catalogue,
              std::size_t entity) {
   if (meaning.feature) return catalogue.has_feature(entity, *meaning.feature) != nullptr;
+  if (meaning.excluded) return catalogue.has_feature(entity, *meaning.excluded) == nullptr;
+  if (!meaning.whole) return true;  // the full view
   return entity == *meaning.whole || catalogue.is_below(entity, *meaning.whole) != nullptr;
 }
 
@@ -43,7 +45,7 @@ bool present(const PerceptionInput::Meaning& meaning, const awareness::Catalogue
 /// where that is the whole stop sign.
 bool has_place(const PerceptionInput::Meaning& meaning, const awareness::Catalogue& catalogue,
                std::size_t entity) {
-  if (!meaning.feature) return true;
+  if (!meaning.feature) return meaning.whole.has_value();
   const awareness::Feature& feature = catalogue.features[*meaning.feature];
   if (feature.kind == awareness::Feature::Kind::Class) return false;
   const auto& own = catalogue.entities[entity].features;

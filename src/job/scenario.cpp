@@ -73,13 +73,15 @@ Violation read_violation(TomlTable& table) {
 PerceptionPart read_perception(TomlTable table, const util::Limits& limits) {
   PerceptionPart part;
   for (TomlTable& input : table.tables("inputs")) {
-    part.inputs.push_back({input.word("what"), input.text("name", ""), input.flag("whole", false)});
+    part.inputs.push_back({input.word("what"), input.text("name", ""), input.flag("whole", false),
+                           input.flag("excluded", false)});
     input.finish();
   }
   part.enumerate = table.flag("enumerate", true);
   if (table.has("persistent")) part.persistent = read_formula(table.source("persistent"), limits);
   part.assume = read_formulas(table, "assume", limits);
   part.blank_first = table.flag("blank_first", true);
+  part.full_view = table.text("full_view", "");
   part.on_violation = read_violation(table);
   table.finish();
   return part;
@@ -118,6 +120,18 @@ void check_file_name(const Word& name) {
                            "use letters, digits, '-' and '_': the name becomes a file name");
 }
 
+void check_policy(const ControllerPart& part) {
+  if (!awareness::read_policy(part.policy.text))
+    throw util::InputError(
+        part.policy.location, "unknown-word", fmt::format("unknown policy '{}'", part.policy.text),
+        util::suggestion(part.policy.text,
+                         {"full", "tree", "tree-or-full", "definition", "at-least", "identifying"}));
+  if (part.behaviours && !awareness::read_acting(part.behaviours->text))
+    throw util::InputError(part.behaviours->location, "unknown-word",
+                           fmt::format("unknown choice of behaviours '{}'", part.behaviours->text),
+                           util::suggestion(part.behaviours->text, {"cautious", "common", "brave"}));
+}
+
 ControllerPart read_controller(TomlTable& table) {
   ControllerPart part;
   part.name = table.word("name");
@@ -133,11 +147,11 @@ ControllerPart read_controller(TomlTable& table) {
   part.latch = table.flag("latch", false);
   part.beside = table.flag("beside", false);
   if (table.has("direct")) part.direct = table.flag("direct", false);
+  part.behaviours = table.optional_word("behaviours");
+  part.closed = table.flag("closed", false);
+  part.fallback = table.words("fallback");
   table.finish();
-  if (!awareness::read_policy(part.policy.text))
-    throw util::InputError(
-        part.policy.location, "unknown-word", fmt::format("unknown policy '{}'", part.policy.text),
-        util::suggestion(part.policy.text, {"full", "tree", "tree-or-full", "definition", "at-least"}));
+  check_policy(part);
   return part;
 }
 

@@ -24,6 +24,10 @@ struct World {
   awareness::Perception perception;
 };
 
+/// What perception reports of the catalogue's things, as the scenario says.
+[[nodiscard]] awareness::Perception perceive(const PerceptionPart& part,
+                                             const awareness::Catalogue& catalogue);
+
 /// \throws util::InputError  of any of the files; an entity without possible instance.
 [[nodiscard]] World load_world(const Scenario& scenario, const util::Limits& limits, util::Budget& budget);
 

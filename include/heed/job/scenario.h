@@ -41,6 +41,7 @@ struct InputPart {
   Word what;
   std::string name;  ///< Empty: the catalogue's.
   bool whole = false;
+  bool excluded = false;  ///< That it is missing is reported as well.
 };
 
 /// What answers an observation that breaks an assumption on perception.
@@ -52,6 +53,7 @@ struct PerceptionPart {
   std::optional<WrittenFormula> persistent;
   std::vector<WrittenFormula> assume;
   bool blank_first = true;
+  std::string full_view;  ///< Empty: none.
   Violation on_violation = Violation::Drop;
 };
 
@@ -74,6 +76,9 @@ struct ControllerPart {
   std::size_t k = 2;
   bool latch = false, beside = false;
   std::optional<bool> direct;
+  std::optional<Word> behaviours;  ///< "cautious", "common", "brave".
+  bool closed = false;
+  std::vector<Word> fallback;
 };
 
 struct ProfilePart {
