@@ -39,6 +39,13 @@ void TomlTable::fail(const std::string& key, const std::string& code, const std:
 }
 
 void TomlTable::missing(const std::string& key) const {
+  // A misspelt key is told as that, not as the absence of the right one.
+  for (const auto& [present, node] : *table_)
+    if (!util::nearest(std::string(present.str()), {key}).empty())
+      throw util::InputError(
+          at(node), "unknown-key",
+          fmt::format("unknown key '{}' in {}", present.str(), path_.empty() ? "the scenario" : path_),
+          fmt::format("did you mean '{}'?", key));
   throw util::InputError(location(), "missing-key",
                          fmt::format("{} lacks the key '{}'", path_.empty() ? "the scenario" : path_, key),
                          "docs/formats/scenario.md lists every key");
