@@ -43,7 +43,8 @@ void check_operands(const Command& command, const std::vector<std::string>& oper
   bool many = false;
   for (const Operand& operand : command.operands) {
     if (operand.required && operands.size() <= least)
-      throw UsageError(fmt::format("{} needs {}", command.name, operand.name), std::string(operand.help));
+      throw UsageError(fmt::format("{} needs {}: {}", command.name, operand.name, operand.help),
+                       fmt::format("such as: {}", command.example));
     if (operand.required) ++least;
     many = many || operand.many;
   }

@@ -37,6 +37,20 @@ util::Diagnostic plain(std::string code, std::string message, std::string hint =
   return {util::Severity::Error, {}, std::move(code), std::move(message), std::move(hint), {}};
 }
 
+std::string hint_for(util::LimitExceeded::Kind kind) {
+  switch (kind) {
+    case util::LimitExceeded::Kind::Time:
+      return "raise it with --timeout";
+    case util::LimitExceeded::Kind::Memory:
+      return "raise it with --memory";
+    case util::LimitExceeded::Kind::Size:
+      return "the problem is too large for an explicit answer";
+    case util::LimitExceeded::Kind::Cancelled:
+      break;
+  }
+  return {};
+}
+
 int run(const cli::Command& command, const std::vector<std::string>& words) {
   const bool json = std::find(words.begin(), words.end(), "--json") != words.end();
   try {
@@ -46,7 +60,7 @@ int run(const cli::Command& command, const std::vector<std::string>& words) {
   } catch (const util::InputError& error) {
     return fail(json, bad_input, error.diagnostic());
   } catch (const util::LimitExceeded& error) {
-    return fail(json, limit_reached, plain("limit", error.what(), "raise it with --timeout or --memory"));
+    return fail(json, limit_reached, plain("limit", error.what(), hint_for(error.kind())));
   } catch (const std::bad_alloc&) {
     return fail(json, limit_reached, plain("limit", "out of memory"));
   } catch (const std::exception& error) {

@@ -121,6 +121,8 @@ class Job {
           staging_.write(described.file, model::write_mealy(*candidate.done.result.machine));
       candidate.machine = read_back(path);
       candidate.done.result.machine.reset();
+    } else {
+      staging_.discard(part.name.text + ".controller.json");
     }
     add_notes(candidate.design.recognition.notes);
     add_notes(candidate.design.composed.notes);

@@ -56,6 +56,7 @@ void Staging::commit() {
     fs::rename(folder_ + '/' + name, target_ + '/' + name, error);
     if (error) fail(target_ + '/' + name, error.message());
   }
+  for (const std::string& name : discarded_) fs::remove(target_ + '/' + name, error);
   names_.clear();
 }
 

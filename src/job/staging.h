@@ -18,11 +18,13 @@ class Staging {
 
   /// \returns the path where the file stands until commit().
   std::string write(const std::string& name, std::string_view content);
+  /// A file of this name from an earlier run goes away with commit().
+  void discard(const std::string& name) { discarded_.push_back(name); }
   void commit();
 
  private:
   std::string target_, folder_;
-  std::vector<std::string> names_;
+  std::vector<std::string> names_, discarded_;
 };
 
 }  // namespace heed::job
