@@ -1,6 +1,7 @@
 #include <heed/owl/read.h>
 
 #include "document.h"
+#include "encoding.h"
 #include "graph.h"
 #include "kinds.h"
 #include "mapper.h"
@@ -135,9 +136,10 @@ Syntax recognise(const util::SourceText& source) {
   return by_extension(source.name());
 }
 
-std::unique_ptr<Document> read_document(const util::SourceText& source, ReadContext context) {
-  if (source.text().size() >= UINT32_MAX)
-    throw util::InputError(source, 0, "file-too-large", "an ontology document must be smaller than 4 GiB");
+std::unique_ptr<Document> read_document(const util::SourceText& given, ReadContext context) {
+  if (given.text().size() >= UINT32_MAX)
+    throw util::InputError(given, 0, "file-too-large", "an ontology document must be smaller than 4 GiB");
+  const util::SourceText source = in_utf8(given);
   const Syntax syntax = recognise(source);
   switch (syntax) {
     case Syntax::Turtle:

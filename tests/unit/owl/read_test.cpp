@@ -71,6 +71,42 @@ TEST(Read, RecognisesSyntaxesByContentBeforeTheName) {
   EXPECT_EQ(of("hello", "x.txt"), Syntax::Unknown);
 }
 
+std::string utf16(std::string_view ascii, bool big) {
+  std::string out = big ? "\xFE\xFF" : "\xFF\xFE";
+  for (const char c : ascii) (out += big ? '\0' : c) += big ? c : '\0';
+  return out;
+}
+
+TEST(Read, OtherEncodingsAreConvertedOrRefused) {
+  const auto document = [](const std::string& encoding, const std::string& label) {
+    return "<?xml version=\"1.0\" encoding=\"" + encoding +
+           "\"?>\n<Ontology "
+           "xmlns=\"http://www.w3.org/2002/07/owl#\"><AnnotationAssertion><AnnotationProperty "
+           "abbreviatedIRI=\"rdfs:label\"/><IRI>http://e/#A</IRI><Literal>" +
+           label + "</Literal></AnnotationAssertion></Ontology>";
+  };
+  const auto label = [](const std::string& text) {
+    const Read read = read_text(text, "x.owx");
+    return read.ontology.name(*read.ontology.find("http://e/#A"));
+  };
+  EXPECT_EQ(label(document("ISO-8859-1", "caf\xE9")), "caf\xC3\xA9");
+  EXPECT_EQ(label(document("utf-8", "caf\xC3\xA9")), "caf\xC3\xA9");
+  EXPECT_EQ(label(utf16(document("UTF-16", "coffee"), true)), "coffee");
+  EXPECT_EQ(label(utf16(document("UTF-16", "coffee"), false)), "coffee");
+  EXPECT_EQ(short_axioms(read_text(utf16(turtle_head + ":A rdfs:subClassOf :B .", true)).ontology).size(),
+            1U);
+  const auto code = [](const std::string& text) {
+    return refused([&] { (void)read_text(text, "x.owx"); }).code;
+  };
+  EXPECT_EQ(code(document("EBCDIC", "x")), "encoding");
+  EXPECT_EQ(code(document("UTF-16", "x")), "encoding");
+  EXPECT_EQ(code(utf16("<a/>", true) + "x"), "bad-encoding");
+  EXPECT_EQ(code("\xFE\xFF\xD8\x3D\x20\x20"), "bad-encoding");
+  std::string pair = utf16(document("UTF-16", "@@"), false);
+  pair.replace(pair.find(std::string("@\0@\0", 4)), 4, std::string("\x3D\xD8\x00\xDE", 4));
+  EXPECT_EQ(label(pair), "\xF0\x9F\x98\x80");
+}
+
 class Imports : public testing::Test {
  protected:
   Imports()
