@@ -88,12 +88,16 @@ bool Labels::excluded_here(HornBase::Prop prop) const {
   return std::any_of(nogoods.begin(), nogoods.end(), [](const Environment& e) { return e.size() == 1; });
 }
 
+/// Only larger sets can be needless for a new one, so most of the time nothing has to be looked through.
 bool Labels::add_contradiction(Environment environment) {
   if (contradictory(environment)) return false;
-  std::erase_if(own_nogoods_, [&](const Environment& e) { return within(environment, e); });
-  for (auto& nogoods : nogoods_by_first_)
-    if (!nogoods.empty())
-      std::erase_if(nogoods, [&](const Environment& e) { return within(environment, e); });
+  if (environment.size() < largest_) {
+    const auto needless = [&](const Environment& e) { return within(environment, e); };
+    std::erase_if(own_nogoods_, needless);
+    for (auto& nogoods : nogoods_by_first_)
+      if (!nogoods.empty()) std::erase_if(nogoods, needless);
+  }
+  largest_ = std::max(largest_, environment.size());
   nogoods_by_first_[environment.front()].push_back(environment);
   own_nogoods_.push_back(std::move(environment));
   return true;

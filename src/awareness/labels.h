@@ -45,6 +45,7 @@ class Labels {
   std::vector<std::optional<Label>> labels_;  ///< Where it differs from the general one.
   std::vector<Environment> own_nogoods_{};
   std::vector<std::vector<Environment>> nogoods_by_first_;
+  std::size_t largest_ = 2;  ///< At least the size of each of these.
   std::size_t work_ = 0;
 };
 

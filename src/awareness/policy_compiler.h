@@ -70,7 +70,7 @@ class PolicyCompiler {
   std::map<std::vector<std::string>, std::string> memory_names_;  ///< Of the tree, by path.
   AtomTable memory_atoms_;
   std::optional<Possibilities> possible_;
-  std::size_t evidence_work_ = 20'000'000;  ///< Steps that may be spent on listing evidence.
+  std::size_t evidence_work_ = 2'000'000;  ///< Steps that may be spent on listing evidence.
   Recognition result_;
 };
 

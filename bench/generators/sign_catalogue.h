@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace heed::bench {
+
+/// A catalogue like real ones: entities in three levels of groups, features under functional roles (ten
+/// shapes, ten ground colours, ten border colours, twenty texts, the rest symbols), three to five per leaf,
+/// some shared by many; no two leaves are described alike.
+struct SignCatalogue {
+  std::size_t entities = 1000;  ///< Groups and the root included; from 20.
+  std::size_t features = 200;   ///< From 60.
+  std::uint64_t seed = 1;
+};
+
+/// OWL in functional style. The same bytes for the same values, everywhere.
+[[nodiscard]] std::string write_catalogue(const SignCatalogue& wanted);
+
+}  // namespace heed::bench
