@@ -236,13 +236,16 @@ Iri RdfXml::name_of(pugi::xml_node element) {
     fail(offset_of(element), "no-namespace", fmt::format("element '{}' is in no namespace", name),
          "this is XML but not RDF/XML, or its xmlns declarations are missing");
   const Iri iri = context_.iris.intern(scratch_);
+  check_iri(iri, offset_of(element));
   names_.emplace(name, iri);
   return iri;
 }
 
 Iri RdfXml::name_of(const Attribute& attribute) {
   scratch_.assign(namespace_of(attribute.prefix, offset_of(attribute.raw.name()))).append(attribute.local);
-  return context_.iris.intern(scratch_);
+  const Iri iri = context_.iris.intern(scratch_);
+  check_iri(iri, offset_of(attribute.raw.name()));
+  return iri;
 }
 
 void RdfXml::check_iri(Iri iri, std::size_t offset) {
