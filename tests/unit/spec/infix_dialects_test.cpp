@@ -4,6 +4,7 @@
 #include <heed/spec/gr1c.h>
 #include <heed/spec/slugsin.h>
 #include <heed/spec/structured_slugs.h>
+#include <heed/util/file.h>
 
 #include <fmt/format.h>
 
@@ -177,6 +178,19 @@ TEST(InfixDialects, depth_is_bounded_and_length_is_not) {
   std::string chain = "a";
   for (int i = 0; i < 100'000; ++i) chain += i % 2 == 0 ? " & b" : " | a";
   EXPECT_EQ(gr1c("SYS: a b;\nSYSTRANS: [] " + chain + ";").sys_safety.size(), 1U);
+}
+
+/// The example of each page is read, and written and read again.
+TEST(Dialect, documented_examples_are_read) {
+  for (const Dialect dialect : {Dialect::Slugsin, Dialect::StructuredSlugs, Dialect::Gr1c}) {
+    const std::string page =
+        util::read_file(fmt::format("{}/docs/formats/{}.md", HEED_SOURCE_DIR, to_string(dialect))).text();
+    const std::size_t begin = page.find("```text\n") + 8, end = page.find("```", begin);
+    const std::string name = dialect == Dialect::Gr1c ? "x.spc" : fmt::format("x.{}", to_string(dialect));
+    const Gr1 spec = read_any(util::SourceText(name, page.substr(begin, end - begin)));
+    EXPECT_FALSE(spec.outputs.empty()) << name;
+    EXPECT_EQ(read_any(util::SourceText(name, write_as(spec, dialect))).outputs.size(), spec.outputs.size());
+  }
 }
 
 TEST(Dialect, follows_the_extension_and_else_the_content) {
