@@ -13,6 +13,8 @@ namespace {
 constexpr std::uint32_t fuel_per_check = 1024;
 /// Intermediate results per level that nested recursions can hold.
 constexpr std::size_t stack_per_level = 32;
+/// Live nodes below which work is counted as if there were as many.
+constexpr std::uint64_t least_work = 1000;
 }  // namespace
 
 Kernel::Kernel(Manager* manager, const ManagerOptions& given, util::Budget* limits)
@@ -139,13 +141,36 @@ void Kernel::refuel() {
 }
 
 void Kernel::prepare() {
-  if (options.automatic_reordering && live() > reorder_check_) reorder_automatically();
+  if (!options.automatic_reordering) return;
+  if (live() > reorder_check_) return reorder_automatically();
+  if (options.steps_per_reordering != 0 && counts_.steps >= work_check_) reorder_for_work();
+}
+
+void Kernel::sift_now() {
+  Reorderer(*this).sift(sift_options);
+  work_start_ = counts_.steps;
+}
+
+/// Sifting visits nodes about as often as there are live ones times a constant, so that it pays where much
+/// more work than that was done since.
+std::uint64_t Kernel::work_bound() const {
+  return work_start_ + patience_ * options.steps_per_reordering * std::max<std::uint64_t>(live(), least_work);
+}
+
+void Kernel::reorder_for_work() {
+  collect();
+  if (counts_.steps >= work_bound()) {
+    const std::size_t before = live();
+    sift_now();
+    patience_ = live() * 10 < before * 9 ? 1 : patience_ * 2;
+  }
+  work_check_ = work_bound();
 }
 
 void Kernel::reorder_automatically() {
   collect();
   if (live() > reorder_threshold_) {
-    Reorderer(*this).sift(sift_options);
+    sift_now();
     reorder_threshold_ = std::max(options.first_reordering, live() * 2);
   }
   reorder_check_ = std::max(reorder_threshold_, live() + reorder_threshold_ / 2);
@@ -153,7 +178,7 @@ void Kernel::reorder_automatically() {
 
 void Kernel::reorder_after_restart() {
   const std::size_t before = reorder_threshold_;
-  Reorderer(*this).sift(sift_options);
+  sift_now();
   reorder_threshold_ = std::max(before * 2, live() * 2);
 }
 

@@ -125,6 +125,9 @@ class Kernel {
   void refuel();
   void prepare();
   void reorder_after_restart();
+  void reorder_for_work();
+  [[nodiscard]] std::uint64_t work_bound() const;
+  void sift_now();
   void grow_nodes(std::size_t at_least);
   void grow_table(UniqueTable& table);
   void reserve(std::size_t bytes);
@@ -153,6 +156,9 @@ class Kernel {
   std::vector<std::uint64_t> marks_;
   std::size_t reorder_threshold_;      ///< Live nodes that set off the next automatic reordering.
   std::size_t reorder_check_;          ///< Nodes at which to find out how many of them live.
+  std::uint64_t work_start_ = 0;       ///< Steps at the last sifting.
+  std::uint64_t work_check_ = 0;       ///< Steps at which to find out whether the work calls for a sifting.
+  std::uint64_t patience_ = 1;         ///< Doubles with every sifting for work that gained little.
   std::uint64_t steps_at_growth_ = 0;  ///< Of the computed cache.
   std::uint32_t substitutions_ = 0;
   Statistics counts_;

@@ -160,6 +160,10 @@ void Manager::set_automatic_reordering(bool on) {
   kernel_->options.automatic_reordering = on;
 }
 
+void Manager::set_steps_per_reordering(std::uint32_t steps) {
+  kernel_->options.steps_per_reordering = steps;
+}
+
 bool Manager::automatic_reordering() const {
   return kernel_->options.automatic_reordering;
 }

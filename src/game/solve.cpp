@@ -22,7 +22,11 @@ struct OutOfSteps {};
 class Solver {
  public:
   Solver(const Game& game, util::Budget& budget, const SolveOptions& options)
-      : game_(game), budget_(budget), options_(options), cpre_(game), goals_(game.sys_justice.size()) {
+      : game_(game),
+        budget_(budget),
+        options_(options),
+        cpre_(game, options.greedy_schedule),
+        goals_(game.sys_justice.size()) {
     region_.winning = game.valid;
     stuck_ = cpre_.of_set(game.manager->constant(false));
     region_.ranks.resize(goals_);
@@ -172,6 +176,7 @@ class Solver {
 }  // namespace
 
 Region solve(const Game& game, util::Budget& budget, const SolveOptions& options) {
+  if (!options.work_reordering) game.manager->set_steps_per_reordering(0);
   return Solver(game, budget, options).run();
 }
 

@@ -173,6 +173,9 @@ struct ManagerOptions {
   std::size_t max_cache_bytes = std::size_t{1} << 29;  ///< Of the computed cache.
   bool automatic_reordering = true;                    ///< Sift when the live nodes have grown enough.
   std::size_t first_reordering = 20'000;  ///< Live nodes that set off the first automatic reordering.
+  /// Recursion steps per live node since the last sifting that set off another one: small diagrams that are
+  /// worked on for long deserve a better order too. 0: never.
+  std::uint32_t steps_per_reordering = 150;
 };
 
 /// How far one call of sifting may go.
@@ -248,6 +251,8 @@ class Manager {
   /// Sift groups now. \cite rudell.93.iccad panda.95.iccad
   void sift(const SiftOptions& options = {});
   void set_automatic_reordering(bool on);
+  /// ManagerOptions::steps_per_reordering from now on.
+  void set_steps_per_reordering(std::uint32_t steps);
   [[nodiscard]] bool automatic_reordering() const;
   /// The options that automatic reordering uses.
   void set_sift_options(const SiftOptions& options);

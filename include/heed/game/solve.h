@@ -12,6 +12,8 @@ struct SolveOptions {
   bool iterates = false;        ///< Keep how the region shrank, for explaining a defeat.
   bool stop_early = false;      ///< Stop as soon as some initial state is known to be lost.
   std::uint64_t max_steps = 0;  ///< Controllable predecessors to compute; 0: no bound.
+  bool greedy_schedule = true;  ///< Conjuncts by what they let quantify, not as they were written.
+  bool work_reordering = true;  ///< Sift also when much was done since the last time, not only on growth.
 };
 
 /// One round of the outermost fixpoint: what was lost when goal `goal` was looked at; Part::no_clause: by
@@ -55,7 +57,7 @@ struct Region {
 ///     Moore:  cpre(T) = exists Y' . forall X' . exists M' . M' = update & (rho_e -> rho_s & T)
 class Predecessor {
  public:
-  explicit Predecessor(const Game& game);
+  explicit Predecessor(const Game& game, bool greedy_schedule = true);
   /// \param target  A set of states, over current variables.
   [[nodiscard]] bdd::Bdd of_set(const bdd::Bdd& target) const;
   /// \param target  A relation over current and next variables.
@@ -69,7 +71,8 @@ class Predecessor {
     bdd::Bdd relation;
     bdd::Bdd cube;  ///< What no later stage mentions.
   };
-  [[nodiscard]] static std::vector<Stage> schedule(std::vector<bdd::Bdd> parts, const bdd::Bdd& cube);
+  [[nodiscard]] static std::vector<Stage> schedule(std::vector<bdd::Bdd> parts, const bdd::Bdd& cube,
+                                                   bool greedy);
   [[nodiscard]] bdd::Bdd without_outputs(bdd::Bdd target) const;
   [[nodiscard]] bdd::Bdd close(const bdd::Bdd& answered) const;
 

@@ -188,6 +188,26 @@ TEST(Reordering, HappensByItselfInsideAnOperationThatOutgrowsTheOrder) {
   EXPECT_TRUE(manager.consistent());
 }
 
+// The diagram is too small to be reordered for its size, but much is done with it.
+TEST(Reordering, HappensByItselfWhereMuchIsDone) {
+  for (const std::uint32_t steps : {0U, 5U}) {
+    ManagerOptions options;
+    options.first_reordering = 1'000'000;
+    options.steps_per_reordering = steps;
+    Manager manager(options);
+    add_variables(manager, 24);
+    const Bdd f = far_pairs(manager, 12);
+    for (Var v = 0; v < 24; ++v) {
+      const Bdd without = f.exists(manager.variable(v)).minus(f);
+      EXPECT_EQ(without, f.cofactor(v, true).minus(f));
+    }
+    EXPECT_EQ(manager.statistics().reorderings > 0, steps > 0);
+    EXPECT_EQ(f.node_count() < 4096, steps > 0);
+    EXPECT_EQ(f.count_decimal(24), "16245775");
+    EXPECT_TRUE(manager.consistent());
+  }
+}
+
 TEST(Reordering, IsTheSameEveryTime) {
   std::vector<std::vector<Var>> orders;
   std::vector<std::uint64_t> swaps;

@@ -95,6 +95,7 @@ class Machine {
     ManagerOptions small;
     small.initial_nodes = 16;
     small.first_reordering = 24;
+    small.steps_per_reordering = 1;
     return small;
   }
   Bdd cube(unsigned set) {
