@@ -12,7 +12,8 @@ struct SolveOptions {
   bool iterates = false;        ///< Keep how the region shrank, for explaining a defeat.
   bool stop_early = false;      ///< Stop as soon as some initial state is known to be lost.
   std::uint64_t max_steps = 0;  ///< Controllable predecessors to compute; 0: no bound.
-  bool greedy_schedule = true;  ///< Conjuncts by what they let quantify, not as they were written.
+  /// Conjuncts by what they let quantify, not as they were written: arbiters gain, large buffers lose by it.
+  bool greedy_schedule = false;
   bool work_reordering = true;  ///< Sift also when much was done since the last time, not only on growth.
 };
 
@@ -57,7 +58,7 @@ struct Region {
 ///     Moore:  cpre(T) = exists Y' . forall X' . exists M' . M' = update & (rho_e -> rho_s & T)
 class Predecessor {
  public:
-  explicit Predecessor(const Game& game, bool greedy_schedule = true);
+  explicit Predecessor(const Game& game, bool greedy_schedule = false);
   /// \param target  A set of states, over current variables.
   [[nodiscard]] bdd::Bdd of_set(const bdd::Bdd& target) const;
   /// \param target  A relation over current and next variables.
