@@ -89,9 +89,8 @@ TEST(RoundTrip, random_specifications_keep_their_verdict) {
     for (const spec::Dialect dialect : all_dialects) {
       const spec::Gr1 back = again(spec, dialect);
       ASSERT_EQ(verdict(back, 0), expected) << seed << ' ' << to_string(dialect) << '\n' << text;
-      if (dialect != spec::Dialect::Gr1 && seed % 4 == 0)
-        ASSERT_EQ(verdict(again(back, spec::Dialect::Gr1c), 0), expected)
-            << seed << ' ' << to_string(dialect);
+      if (dialect == spec::Dialect::Gr1 || seed % 4 != 0) continue;
+      ASSERT_EQ(verdict(again(back, spec::Dialect::Gr1c), 0), expected) << seed << ' ' << to_string(dialect);
     }
   }
   EXPECT_GT(seen["R"], 10);
