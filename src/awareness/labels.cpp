@@ -34,7 +34,7 @@ bool insert_minimal(std::vector<Environment>& label, Environment environment) {
 }  // namespace
 
 Labels::Labels(const HornBase& base, std::vector<char> observable,
-               std::vector<std::pair<HornBase::Prop, HornBase::Prop>> never)
+               const std::vector<std::pair<HornBase::Prop, HornBase::Prop>>& never)
     : base_(base), labels_(base.size()), nogoods_by_first_(base.size()) {
   // Sets that cannot be observed are left out like contradictions, without being any.
   for (const auto& [a, b] : never)

@@ -19,7 +19,7 @@ class Labels {
   /// What follows from observations alone. \param observable  one flag per proposition \param never  pairs of
   /// observations that cannot be made together
   Labels(const HornBase& base, std::vector<char> observable,
-         std::vector<std::pair<HornBase::Prop, HornBase::Prop>> never);
+         const std::vector<std::pair<HornBase::Prop, HornBase::Prop>>& never);
   /// The same for a thing that is known to be \p entity. \p general outlives this object.
   Labels(const Labels& general, std::size_t entity);
 

@@ -16,8 +16,8 @@ namespace heed::cli {
 /// Wrong usage: exit code 2.
 class UsageError : public std::runtime_error {
  public:
-  UsageError(std::string message, std::string hint)
-      : std::runtime_error(std::move(message)), hint_(std::move(hint)) {}
+  UsageError(const std::string& message, std::string hint)
+      : std::runtime_error(message), hint_(std::move(hint)) {}
   [[nodiscard]] const std::string& hint() const { return hint_; }
 
  private:
