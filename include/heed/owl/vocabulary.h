@@ -129,7 +129,7 @@ enum Position : std::uint32_t {
 #define HEED_POSITION(name, text) position_##name,
   HEED_OWL_VOCABULARY(HEED_POSITION)
 #undef HEED_POSITION
-      count
+      Count
 };
 }  // namespace detail
 
@@ -137,7 +137,7 @@ enum Position : std::uint32_t {
 HEED_OWL_VOCABULARY(HEED_CONSTANT)
 #undef HEED_CONSTANT
 
-inline constexpr std::size_t size = detail::count;
+inline constexpr std::size_t size = detail::Count;
 
 /// \pre iri.id < size
 [[nodiscard]] std::string_view text(Iri iri);
