@@ -151,6 +151,31 @@ bool Question::holds_at_most(ContextId x, Role role) {
   return false;
 }
 
+/// Told as it is asked, or by so many successors that differ.
+bool Question::holds_count(ContextId x, const ClassExpression& e) {
+  const Role role = extra_.role_of(e.property());
+  const Concept filler = extra_.translate(e.filler());
+  const Concept told =
+      base_.theory().find({ConceptKind::AtLeast, extra_.some(role, filler), e.cardinality()});
+  if (told != nothing_known && saturation_.has(x, told)) return holds_concept(x, told);
+  const auto fact = saturation_.distinct_successors(x, role, filler, e.cardinality());
+  if (fact) facts_.push_back(*fact);
+  return fact.has_value();
+}
+
+/// Told, or a named thing that is its own successor.
+bool Question::holds_self(ContextId x, Role role) {
+  const Concept told = base_.theory().find({ConceptKind::Self, role, 0});
+  if (told != nothing_known && saturation_.has(x, told)) return holds_concept(x, told);
+  for (const Concept c : at(x).subsumers)
+    if (c < base_.theory().size() && base_.theory().node(c).kind == ConceptKind::Individual &&
+        holds_link(x, role, nullptr, c)) {
+      facts_.push_back(saturation_.fact_of(x, c));
+      return true;
+    }
+  return false;
+}
+
 bool Question::holds_every(ContextId x, const std::vector<ClassExpression>& parts) {
   return std::all_of(parts.begin(), parts.end(), [&](const ClassExpression& part) { return holds(x, part); });
 }
@@ -180,10 +205,7 @@ bool Question::holds(ContextId x, const ClassExpression& e) {
     case Kind::Min:
       if (e.cardinality() == 0) return true;
       if (e.cardinality() == 1) return holds_link(x, extra_.role_of(e.property()), &e.filler(), top);
-      return holds_concept(
-          x, base_.theory().find({ConceptKind::AtLeast,
-                                  extra_.some(extra_.role_of(e.property()), extra_.translate(e.filler())),
-                                  e.cardinality()}));
+      return holds_count(x, e);
     case Kind::Max:
       return e.cardinality() >= 1 && holds_at_most(x, extra_.role_of(e.property()));
     case Kind::DataSome:
@@ -200,7 +222,7 @@ bool Question::holds(ContextId x, const ClassExpression& e) {
     case Kind::DataMax:
       return e.cardinality() >= 1 && holds_at_most(x, data_role());
     case Kind::HasSelf:
-      return holds_concept(x, base_.theory().find({ConceptKind::Self, extra_.role_of(e.property()), 0}));
+      return holds_self(x, extra_.role_of(e.property()));
     default:
       return false;
   }

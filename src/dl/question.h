@@ -38,6 +38,8 @@ class Question {
   bool holds_every(ContextId x, const std::vector<owl::ClassExpression>& parts);
   bool holds_concept(ContextId x, Concept c);
   bool holds_link(ContextId x, Role role, const owl::ClassExpression* filler, Concept value);
+  bool holds_count(ContextId x, const owl::ClassExpression& e);
+  bool holds_self(ContextId x, Role role);
   bool holds_at_most(ContextId x, Role role);
   bool unsatisfiable(ContextId x);
   ContextId saturated(std::vector<Concept> core);

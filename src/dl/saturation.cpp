@@ -46,6 +46,11 @@ ContextId Saturation::nonempty_context(Concept core) {
 }
 
 void Saturation::run() {
+  do drain();
+  while (count_successors());
+}
+
+void Saturation::drain() {
   for (std::size_t steps = 0; next_ < queue_.size(); ++steps) {
     if (steps % 256 == 0) budget_.check();
     const Item item = queue_[next_++];
@@ -93,12 +98,14 @@ void Saturation::process_subsumer(ContextId id, std::uint32_t where) {
   const Fact fact = trace_ ? x.facts[where] : no_fact;
   if (x.unsatisfiable) return;
   if (c == bottom) return process_bottom(id, fact);
+  if (!x.cases.empty()) cases_process(id, c);
   if (c < theory_.size()) {
     for (const Told& told : theory_.told(c)) derive(id, told.super, fact, no_fact, told.reason);
     for (const Conjunction& rule : theory_.conjunctions(c)) {
       const std::uint32_t other = place(x, rule.other);
       if (other != IndexSet::none) derive(id, rule.result, fact, trace_ ? x.facts[other] : no_fact, 0);
     }
+    for (const Concept goal : theory_.goals(c)) aim(id, goal);
     check_groups(id, c, fact);
     if (!theory_.left(c).empty()) {
       x.fillers.push_back(c);
@@ -132,6 +139,7 @@ void Saturation::process_bottom(ContextId id, Fact fact) {
     inconsistency_ = fact;
   }
   for (const Link& edge : x.predecessors) derive(edge.other, bottom, edge.fact, fact, 0);
+  cases_bottom(id);
 }
 
 /// What a concept on the right says by itself. For one that only stands on the left nothing is done: it was
@@ -147,6 +155,8 @@ void Saturation::decompose(ContextId id, Concept c, Fact fact) {
       return existential(id, c, fact);
     case ConceptKind::AtLeast:
       return derive(id, n.a, fact, no_fact, 0);
+    case ConceptKind::Or:
+      return split(id, c, fact);
     case ConceptKind::Self:
       return self(id, n.a, fact);
     case ConceptKind::Individual:
@@ -155,6 +165,8 @@ void Saturation::decompose(ContextId id, Concept c, Fact fact) {
       Context& x = own(id);
       x.universals.push_back({n.a, n.b, fact});
       for (std::size_t i = 0; i < x.successors.size(); ++i) apply_universals(id, Link(x.successors[i]));
+      for (std::size_t i = 0; i < x.predecessors.size(); ++i)
+        universal_backwards(Link(x.predecessors[i]), Universal(x.universals.back()));
       return;
     }
     case ConceptKind::AtMostOne: {

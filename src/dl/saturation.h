@@ -8,6 +8,7 @@
 
 #include <deque>
 #include <map>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -53,7 +54,23 @@ struct Context {
   std::vector<ContextId> mirrors;    ///< Contexts of individuals that this nonempty one equals.
   std::vector<ContextId> followers;  ///< Of an individual: contexts below it.
   std::vector<Concept> mirrored;     ///< Of an individual: what came from a context that equals it.
+  std::vector<std::uint32_t> cases;  ///< Places in the list of splits, of which this is a case.
+  std::vector<std::uint32_t> tests;  ///< Places in the list of trials, of which this is the context.
+  std::uint8_t supposed = 0;         ///< How many suppositions its core holds.
   bool unsatisfiable = false, nonempty = false;
+};
+
+/// The things of `whole` are in one of `cases` each.
+struct Split {
+  ContextId whole;
+  Fact fact;  ///< Of the union.
+  std::vector<ContextId> cases;
+};
+
+/// The things of `whole` are all `goal` when none of them can be in `supposed`.
+struct Trial {
+  ContextId whole, supposed;
+  Concept goal;
 };
 
 /// Consequences by rules over contexts until nothing is new. Two uses: the base (a theory, all its contexts)
@@ -64,10 +81,16 @@ struct Context {
 ///     X: some R C                               =>  X -R-> {C} + ranges of R
 ///     X -R-> K, K: C, some S C left, R [= S     =>  X: some S C
 ///     X -R-> K, X: only S C, R [= S             =>  X -R-> K + C
+///     X -R-> K, K: only S C, R [= inverse S     =>  X: C
 ///     X -R-> K, X -S-> L, R, S [= F functional  =>  X -R-> K + L, X -S-> K + L
 ///     X -R-> K -S-> L, R o S [= T               =>  X -T-> L
 ///     X -R-> K, K: bottom                       =>  X: bottom
 ///     X not empty, X: {a}                       =>  {a}: all that X is
+///     X -R-> K1 ... Kn, apart from each other   =>  X: at least n R    (asked when nothing else is left)
+///     X: C or D, X + C: E, X + D: E             =>  X: E               (also where a case is impossible)
+///     X + C: bottom, not C left                 =>  X: not C           (only S C: X + some S not C)
+///
+/// The last two suppose something of X in a context of its own. They look ahead only so far: see supposed().
 ///
 /// \cite kazakov.14.jar for the rules of EL, \cite kazakov.09.ijcai for cores that grow (universals,
 /// functionality).
@@ -80,6 +103,10 @@ class Saturation {
   ContextId context(std::vector<Concept> core);
   ContextId nonempty_context(Concept core);
   void run();
+  /// Facts for n successors of \p x along \p role that have \p filler and are pairwise apart; nothing when
+  /// so many are not known.
+  [[nodiscard]] std::optional<Fact> distinct_successors(ContextId x, Role role, Concept filler,
+                                                        std::uint32_t n);
 
   [[nodiscard]] const Context& at(ContextId id) const {
     return id < first_ ? base_->contexts_[id] : contexts_[id - first_];
@@ -137,15 +164,31 @@ class Saturation {
   void existential(ContextId x, Concept c, Fact fact);
   void self(ContextId x, Role role, Fact fact);
 
+  // saturation_cases.cpp
+  [[nodiscard]] ContextId supposed(ContextId x, Concept c);
+  void split(ContextId x, Concept c, Fact fact);
+  void settle(const Split& split, Concept c);
+  void settle_all(const Split& split);
+  void cases_process(ContextId x, Concept c);
+  void cases_bottom(ContextId x);
+  void aim(ContextId x, Concept goal);
+
+  // saturation_counting.cpp
+  bool count_successors();
+  bool count_successors(ContextId x, Concept at_least);
+  [[nodiscard]] std::optional<Fact> apart(ContextId a, ContextId b);
+
   void process_link(ContextId x, std::uint32_t place);
   void link_rules(ContextId x, const Link& edge);
   void compose(ContextId x, const Link& edge);
   void apply_universals(ContextId x, const Link& edge);
+  void universal_backwards(const Link& back, const Universal& u);
   void merge_functional(ContextId x, const Link& edge);
   std::vector<Role> functions_of(const Context& x, Role role) const;
   void absorb(ContextId x, Group merged, const std::vector<std::size_t>& hit, const Link& edge);
   void make_nonempty(ContextId x);
 
+  void drain();
   Fact infer(Fact first, Fact second, std::uint32_t why);
   std::uint32_t why(Reason reason, Role sub, Role super);
   std::uint32_t keep_why(std::vector<Reason> reasons);
@@ -160,6 +203,9 @@ class Saturation {
   std::deque<Context> contexts_;
   std::unordered_map<std::vector<Concept>, ContextId, CoreHash> cores_;
   std::vector<ContextId> targets_;  ///< By existential on the right: where its link goes.
+  std::deque<Split> splits_;
+  std::deque<Trial> trials_;
+  std::size_t suppositions_ = 0;
   std::vector<Item> queue_;
   std::size_t next_ = 0;
   bool inconsistent_ = false;

@@ -51,6 +51,8 @@ void Saturation::link_rules(ContextId id, const Link& edge) {
         derive(id, rule.existential, edge.fact, fact_of(edge.other, filler),
                trace_ ? why(0, edge.role, rule.role) : 0);
   }
+  for (std::size_t i = 0; i < k.universals.size(); ++i)
+    universal_backwards({edge.role, id, edge.fact}, Universal(k.universals[i]));
   if (!is_known(edge.role)) return;
   for (const Role super : theory_.superroles(edge.role))
     for (const Told& domain : theory_.domains(super))
@@ -89,6 +91,22 @@ Concept Saturation::universal_concept(Role role, Concept filler) const {
   const ConceptNode wanted{ConceptKind::All, role, filler};
   const Concept mine = extra_ != nullptr ? extra_->find(wanted) : nothing_known;
   return mine != nothing_known ? mine : theory_.find(wanted);
+}
+
+/// \param back  The link to where \p u holds, seen from there: `other` is its source.
+void Saturation::universal_backwards(const Link& back, const Universal& u) {
+  const Role role = inverse(back.role);
+  if (is_subrole(role, u.role))
+    derive(back.other, u.filler, back.fact, u.fact, trace_ ? why(0, role, u.role) : 0);
+  if (!is_known(u.role)) return;
+  for (const Role through : theory_.transitive_below(u.role)) {
+    const Concept onwards = universal_concept(through, u.filler);
+    if (onwards == nothing_known || !is_subrole(role, through)) continue;
+    Fact fact = u.fact;
+    if (trace_ && through != u.role) fact = infer(fact, no_fact, why(0, through, u.role));
+    derive(back.other, onwards, back.fact, fact,
+           trace_ ? why(theory_.transitive(through), role, through) : 0);
+  }
 }
 
 /// Moves the link to a context whose core has all that the universals of x say of it.

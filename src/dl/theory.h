@@ -114,8 +114,18 @@ class Theory {
   [[nodiscard]] const std::vector<Told>& told(Concept c) const { return told_[c]; }
   [[nodiscard]] const std::vector<Conjunction>& conjunctions(Concept c) const { return conjunctions_[c]; }
   [[nodiscard]] const std::vector<LeftExistential>& left(Concept c) const { return left_[c]; }
+  /// Complements and universals that matter on the left for what is \p c, as they stand beside it in a
+  /// conjunction.
+  [[nodiscard]] const std::vector<Concept>& goals(Concept c) const { return goals_[c]; }
+  /// What a complement or universal on the left denies.
+  [[nodiscard]] Concept denied(Concept goal) const {
+    const auto found = denied_.find(goal);
+    return found == denied_.end() ? nothing_known : found->second;
+  }
   [[nodiscard]] const std::vector<Membership>& groups(Concept c) const { return groups_[c]; }
   [[nodiscard]] const std::vector<Concept>& individuals() const { return individuals_; }
+  /// Minimum cardinalities from 2 that stand on the left.
+  [[nodiscard]] const std::vector<Concept>& counted() const { return counted_; }
 
   [[nodiscard]] std::size_t role_count() const { return role_edges_.size(); }
   [[nodiscard]] bool is_subrole(Role sub, Role super) const {
@@ -170,8 +180,10 @@ class Theory {
   std::vector<std::vector<Told>> told_;
   std::vector<std::vector<Conjunction>> conjunctions_;
   std::vector<std::vector<LeftExistential>> left_;
+  std::vector<std::vector<Concept>> goals_;
+  std::unordered_map<Concept, Concept> denied_;
   std::vector<std::vector<Membership>> groups_;
-  std::vector<Concept> individuals_;
+  std::vector<Concept> individuals_, counted_;
   std::vector<std::vector<RoleEdge>> role_edges_;
   std::vector<std::uint64_t> closure_;
   std::size_t words_ = 0;

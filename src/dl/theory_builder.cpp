@@ -1,5 +1,7 @@
 #include "theory_builder.h"
 
+#include "datatypes.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +35,7 @@ void TheoryBuilder::losses(ConceptNode& node) const {
     case ConceptKind::AtMostOne:
       return set(NoLoss, NumberLeft);
     case ConceptKind::AtLeast:
-      return set(NumberRight, NumberLeft);
+      return set(NumberRight | right(node.a), NumberLeft | left(node.a));
     case ConceptKind::AtMost:
       return set(NumberRight, NumberLeft);
     case ConceptKind::Self:
@@ -55,6 +57,7 @@ Concept TheoryBuilder::intern(ConceptNode node) {
   theory_.conjunctions_.emplace_back();
   theory_.left_.emplace_back();
   theory_.groups_.emplace_back();
+  theory_.goals_.emplace_back();
   if (node.kind == ConceptKind::Individual) theory_.individuals_.push_back(place->second);
   return place->second;
 }
@@ -93,11 +96,30 @@ Concept TheoryBuilder::literal(const owl::Literal& literal) {
 Concept TheoryBuilder::data_range(const owl::DataRange& range) {
   const std::string key = Theory::key_of(range);
   if (key.empty()) return top;
-  const auto place = theory_.data_.try_emplace(key, static_cast<std::uint32_t>(theory_.data_.size())).first;
+  const auto [place, is_new] =
+      theory_.data_.try_emplace(key, static_cast<std::uint32_t>(theory_.data_.size()));
   const Concept c = intern({ConceptKind::Data, place->second, 0});
   if (range.kind() != owl::DataRange::Kind::Datatype)
     theory_.concepts_[c].loss_right = theory_.concepts_[c].loss_left = DataRangeLoss;
+  else if (is_new)
+    place_datatype(c, range.iri());
   return c;
+}
+
+/// Below the built-in datatypes that hold all its values, and below its primitive one, which excludes others.
+void TheoryBuilder::place_datatype(Concept c, owl::Iri datatype) {
+  std::string name(ontology_.text(datatype));
+  for (std::string next = datatype_above(name); !next.empty(); next = datatype_above(name)) {
+    name = std::move(next);
+    if (const auto known = ontology_.find(name))
+      theory_.told_[c].push_back({data_range(owl::DataRange::datatype(*known)), 0});
+  }
+  if (!is_primitive_datatype(name)) return;
+  const auto [place, is_new] =
+      theory_.data_.try_emplace("primitive " + name, static_cast<std::uint32_t>(theory_.data_.size()));
+  const Concept primitive = intern({ConceptKind::Data, place->second, 0});
+  if (is_new) families_["primitive datatypes"].push_back(primitive);
+  theory_.told_[c].push_back({primitive, 0});
 }
 
 void TheoryBuilder::add(const owl::Axiom& axiom) {
@@ -143,6 +165,18 @@ void TheoryBuilder::place_left(Concept c) {
   if (theory_.concepts_[c].left) return;
   theory_.concepts_[c].left = true;
   pending_.emplace_back(c, false);
+  deny(c);
+}
+
+/// `not C` on the left holds where C cannot be, `only R C` where `some R not C` cannot.
+void TheoryBuilder::deny(Concept goal) {
+  const ConceptNode node = theory_.concepts_[goal];
+  Concept denied = nothing_known;
+  if (node.kind == ConceptKind::Not) denied = node.a;
+  if (node.kind == ConceptKind::All) denied = some(node.a, negation(node.b));
+  if (denied == nothing_known) return;
+  theory_.denied_.emplace(goal, denied);
+  place_right(denied);
 }
 
 /// Gives each concept the rules for the side on which it stands. What has no rule there was reported as a
@@ -159,6 +193,8 @@ void TheoryBuilder::place() {
         theory_.conjunctions_[node.a].push_back({node.b, c});
         theory_.conjunctions_[node.b].push_back({node.a, c});
         place_left(node.a), place_left(node.b);
+        if (theory_.denied(node.a) != nothing_known) theory_.goals_[node.b].push_back(node.a);
+        if (theory_.denied(node.b) != nothing_known) theory_.goals_[node.a].push_back(node.b);
       }
     } else if (node.kind == ConceptKind::Some) {
       if (right) {
@@ -169,19 +205,28 @@ void TheoryBuilder::place() {
         theory_.left_[node.b].push_back({node.a, c});
         place_left(node.b);
       }
-    } else if (node.kind == ConceptKind::Or && !right) {
-      theory_.told_[node.a].push_back({c, 0});
-      theory_.told_[node.b].push_back({c, 0});
-      place_left(node.a), place_left(node.b);
+    } else if (node.kind == ConceptKind::Or) {
+      if (right) {
+        place_right(node.a), place_right(node.b);
+      } else {
+        theory_.told_[node.a].push_back({c, 0});
+        theory_.told_[node.b].push_back({c, 0});
+        place_left(node.a), place_left(node.b);
+      }
     } else if (node.kind == ConceptKind::Not && right) {
       theory_.conjunctions_[node.a].push_back({c, bottom});
       theory_.conjunctions_[c].push_back({node.a, bottom});
       place_left(node.a);
     } else if (node.kind == ConceptKind::All && right) {
       place_right(node.b);
-    } else if (node.kind == ConceptKind::AtLeast && right) {
-      theory_.told_[c].push_back({node.a, 0});
-      place_right(node.a);
+    } else if (node.kind == ConceptKind::AtLeast) {
+      if (right) {
+        theory_.told_[c].push_back({node.a, 0});
+        place_right(node.a);
+      } else {
+        theory_.counted_.push_back(c);
+        place_left(theory_.concepts_[node.a].b);
+      }
     }
   }
 }

@@ -60,6 +60,7 @@ class TheoryBuilder : public ConceptSink {
   [[nodiscard]] const ConceptNode& node_of(Concept c) const override { return theory_.concepts_[c]; }
 
  private:
+  void place_datatype(Concept c, owl::Iri datatype);
   void losses(ConceptNode& node) const;
   void include(Concept sub, Concept super);
   void disjoint(const std::vector<Concept>& members);
@@ -69,6 +70,7 @@ class TheoryBuilder : public ConceptSink {
   void chain(Role first, Role second, Role super);
   Role new_role();
   Concept individual(owl::Iri iri) { return intern({ConceptKind::Individual, iri.id, 0}); }
+  void deny(Concept goal);
   void place_right(Concept c);
   void place_left(Concept c);
   void place();

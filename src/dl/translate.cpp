@@ -6,9 +6,14 @@ namespace heed::dl {
 
 using Kind = owl::ClassExpression::Kind;
 
+/// What must be refuted to be known (see Theory::goals) stands last, so that what is known leads to it.
 Concept ConceptSink::conjunction(std::vector<Concept> parts) {
   std::sort(parts.begin(), parts.end());
   parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  std::stable_partition(parts.begin(), parts.end(), [&](Concept part) {
+    const ConceptKind kind = node_of(part).kind;
+    return kind != ConceptKind::Not && kind != ConceptKind::All;
+  });
   Concept out = top;
   for (const Concept part : parts) {
     if (part == bottom) return bottom;

@@ -37,9 +37,10 @@ struct Taxonomy {
 };
 
 /// Consequence-based reasoning over the Horn part of an ontology: EL++ with functional properties, ranges,
-/// universal restrictions on the right and individuals as nominals. Sound for all of OWL 2; incomplete() says
-/// what it left out. Classifies in its constructor; immutable afterwards, so that threads may share it. \cite
-/// kazakov.14.jar
+/// universal restrictions on the right and individuals as nominals; and, to a bounded depth, reasoning by
+/// cases over unions and by refutation for complements, universals and minimum cardinalities on the left.
+/// Sound for all of OWL 2; incomplete() says what it did not use in full. Classifies in its constructor;
+/// immutable afterwards, so that threads may share it. \cite kazakov.14.jar
 class Reasoner {
  public:
   /// \throws LimitExceeded

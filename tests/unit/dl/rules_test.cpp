@@ -137,5 +137,65 @@ TEST(Rules, WhatIsDroppedIsListedWithItsAxiom) {
   EXPECT_EQ(a.reasoner.incomplete()[1].axiom.number, 3U);
 }
 
+std::string union_of(const std::string& members) {
+  return "[owl:unionOf (" + members + ")]";
+}
+std::string no(const std::string& c) {
+  return "[owl:complementOf " + c + "]";
+}
+
+TEST(Rules, WhatAllCasesHaveTheWholeHas) {
+  const Asked a(
+      ":A rdfs:subClassOf " + union_of(":B :C") +
+      ". :B rdfs:subClassOf :D. :C rdfs:subClassOf :E. :E rdfs:subClassOf :D. :F rdfs:subClassOf :A.");
+  EXPECT_TRUE(a.below("A", "D"));
+  EXPECT_TRUE(a.below("F", "D"));
+  EXPECT_FALSE(a.below("A", "E"));
+  const Asked one(":A rdfs:subClassOf " + union_of(":B :C") + ", :X. :X owl:disjointWith :B.");
+  EXPECT_TRUE(one.below("A", "C"));
+  const Asked none(":A rdfs:subClassOf " + union_of(":B :C") + ", :X. :X owl:disjointWith :B, :C.");
+  EXPECT_FALSE(none.satisfiable("A"));
+}
+
+TEST(Rules, ComplementsAndUniversalsOnTheLeftAreRefuted) {
+  const Asked a(":Green owl:equivalentClass [owl:intersectionOf (:Dish " + no(some("has", ":Meat")) +
+                ")]. :Salad rdfs:subClassOf :Dish, " + only("has", ":Plant") +
+                ". :Plant owl:disjointWith :Meat. :Soup rdfs:subClassOf :Dish.");
+  EXPECT_TRUE(a.below("Salad", "Green"));
+  EXPECT_FALSE(a.below("Soup", "Green"));
+  const Asked b("[owl:intersectionOf (:Dish " + only("has", ":Plant") +
+                ")] rdfs:subClassOf :Green. :Salad rdfs:subClassOf :Dish, " + only("has", ":Leaf") +
+                ". :Leaf rdfs:subClassOf :Plant. :Soup rdfs:subClassOf :Dish.");
+  EXPECT_TRUE(b.below("Salad", "Green"));
+  EXPECT_FALSE(b.below("Soup", "Green"));
+}
+
+TEST(Rules, UniversalsReachBackOverInverses) {
+  const Asked a(":r owl:inverseOf :i. :A rdfs:subClassOf " + some("r", ":B") + ". :B rdfs:subClassOf " +
+                only("i", ":C") + ". :D rdfs:subClassOf " + some("r", ":E") + ".");
+  EXPECT_TRUE(a.below("A", "C"));
+  EXPECT_FALSE(a.below("D", "C"));
+}
+
+TEST(Rules, SuccessorsThatDifferAreCounted) {
+  const std::string many =
+      ":Rich owl:equivalentClass [a owl:Restriction; owl:onProperty :r; owl:minCardinality 2]. ";
+  const std::string two = ":A rdfs:subClassOf " + some("r", ":B") + ", " + some("r", ":C") + ". ";
+  EXPECT_FALSE(Asked(many + two).below("A", "Rich"));
+  EXPECT_TRUE(Asked(many + two + ":B owl:disjointWith :C.").below("A", "Rich"));
+}
+
+TEST(Rules, DatatypesExcludeEachOther) {
+  const std::string age = ":age a owl:DatatypeProperty. ";
+  const Asked a(
+      age +
+      ":age rdfs:range xsd:integer. :A rdfs:subClassOf [owl:onProperty :age; owl:hasValue \"old\"]. "
+      ":B rdfs:subClassOf [owl:onProperty :age; owl:someValuesFrom xsd:byte]. "
+      "[owl:onProperty :age; owl:someValuesFrom xsd:long] rdfs:subClassOf :C.");
+  EXPECT_FALSE(a.satisfiable("A"));
+  EXPECT_TRUE(a.satisfiable("B"));
+  EXPECT_TRUE(a.below("B", "C"));
+}
+
 }  // namespace
 }  // namespace heed::dl::test

@@ -1,0 +1,98 @@
+// What the OWL API writes in its five syntaxes are the same axioms to heed, and the OWL API reads what heed
+// writes. Convert.java is the other side.
+#include "axioms.h"
+
+#include <heed/owl/write.h>
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <iostream>
+
+namespace heed::owl::test {
+namespace {
+
+const std::string jars = "/usr/share/java";
+
+bool installed() {
+  return std::filesystem::exists(jars + "/owlapi-apibinding.jar") &&
+         std::system("command -v java >/dev/null 2>&1") == 0;
+}
+
+/// A folder of its own for every test.
+class OwlApi : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!installed()) GTEST_SKIP() << "no OWL API (Debian: libowlapi-java, default-jdk-headless)";
+    folder_ =
+        testing::TempDir() + "/heed-oracle-" + testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override {
+    if (!folder_.empty()) std::filesystem::remove_all(folder_);
+  }
+
+  /// Converts all of \p files in one run of Java.
+  void convert(const std::vector<std::string>& files) const {
+    std::string command =
+        fmt::format("java -cp '{0}/*' '{1}/tests/oracle/Convert.java' '{2}'", jars, HEED_SOURCE_DIR, folder_);
+    for (const std::string& file : files) command += fmt::format(" '{}'", file);
+    command += fmt::format(" 2>'{}/messages'", folder_);
+    if (std::system(command.c_str()) != 0)
+      ADD_FAILURE() << util::read_file(folder_ + "/messages").text().substr(0, 2000);
+  }
+
+  [[nodiscard]] std::string converted(const std::string& file, const std::string& extension) const {
+    return folder_ + "/" + std::filesystem::path(file).filename().string() + "." + extension;
+  }
+
+  std::string folder_;
+};
+
+/// The same logical axioms; at most a few of the difference are shown.
+void expect_same(const Ontology& wanted, const Ontology& got, const std::string& what) {
+  const auto a = logical(wanted), b = logical(got);
+  std::vector<std::string> lost, invented;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(lost));
+  std::set_difference(b.begin(), b.end(), a.begin(), a.end(), std::back_inserter(invented));
+  for (std::size_t i = 0; i < lost.size() && i < 5; ++i) ADD_FAILURE() << what << " lost " << lost[i];
+  for (std::size_t i = 0; i < invented.size() && i < 5; ++i)
+    ADD_FAILURE() << what << " invented " << invented[i];
+}
+
+std::vector<std::string> inputs() {
+  std::vector<std::string> out{std::string(HEED_SOURCE_DIR) + "/tests/oracle/every_axiom.ofn"};
+  for (const char* file : {"signs/signs.ofn", "public/pizza.owl", "public/sio.owl"})
+    if (std::filesystem::exists(corpus() + "/owl/" + file)) out.push_back(corpus() + "/owl/" + file);
+  return out;
+}
+
+TEST_F(OwlApi, FiveSyntaxesAreTheSameAxioms) {
+  const auto files = inputs();
+  convert(files);
+  for (const std::string& file : files) {
+    const Ontology wanted = read_path(file);
+    for (const char* extension : {"owl", "ttl", "owx", "ofn", "omn"})
+      expect_same(wanted, read_path(converted(file, extension)), file + " as " + extension);
+  }
+  std::cout << files.size() << " ontologies, " << 5 * files.size() << " documents compared\n";
+}
+
+TEST_F(OwlApi, ReadsWhatIsWritten) {
+  const auto files = inputs();
+  std::vector<std::string> written;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const Ontology ontology = read_path(files[i]);
+    written.push_back(fmt::format("{}/{}.functional.ofn", folder_, i));
+    util::write_file(written.back(), write_functional(ontology));
+    written.push_back(fmt::format("{}/{}.turtle.ttl", folder_, i));
+    util::write_file(written.back(), write_turtle(ontology));
+  }
+  convert(written);
+  for (std::size_t i = 0; i < written.size(); ++i)
+    expect_same(read_path(files[i / 2]), read_path(converted(written[i], "ofn")), written[i]);
+}
+
+}  // namespace
+}  // namespace heed::owl::test
