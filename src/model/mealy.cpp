@@ -79,10 +79,17 @@ std::uint32_t MealyBuilder::intern(std::vector<Valuation>& letters,
 
 void MealyBuilder::add(std::uint32_t state, const Valuation& input, const Valuation& output,
                        std::uint32_t next, bool fallback) {
-  assert(input.size() == machine_.inputs.size() && output.size() == machine_.outputs.size());
-  rows_.push_back({state,
-                   {intern(input_letters_, input_index_, input),
-                    intern(output_letters_, output_index_, output), next, fallback}});
+  add(state, {input_letter(input), output_letter(output), next, fallback});
+}
+
+std::uint32_t MealyBuilder::input_letter(const Valuation& letter) {
+  assert(letter.size() == machine_.inputs.size());
+  return intern(input_letters_, input_index_, letter);
+}
+
+std::uint32_t MealyBuilder::output_letter(const Valuation& letter) {
+  assert(letter.size() == machine_.outputs.size());
+  return intern(output_letters_, output_index_, letter);
 }
 
 Mealy MealyBuilder::finish() {
@@ -92,18 +99,18 @@ Mealy MealyBuilder::finish() {
     row.transition.input = input_place[row.transition.input];
     row.transition.output = output_place[row.transition.output];
   }
-  std::sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) {
-    return a.state != b.state ? a.state < b.state : a.transition.input < b.transition.input;
-  });
   machine_.input_letters = std::move(input_letters_);
   machine_.output_letters = std::move(output_letters_);
   machine_.first.assign(states_ + 1, 0);
-  machine_.transitions.reserve(rows_.size());
-  for (const Row& row : rows_) {
-    ++machine_.first[row.state + 1];
-    machine_.transitions.push_back(row.transition);
-  }
+  for (const Row& row : rows_) ++machine_.first[row.state + 1];
   std::partial_sum(machine_.first.begin(), machine_.first.end(), machine_.first.begin());
+  machine_.transitions.resize(rows_.size());
+  std::vector<std::uint32_t> place(machine_.first.begin(), machine_.first.end() - 1);
+  for (const Row& row : rows_) machine_.transitions[place[row.state]++] = row.transition;
+  for (std::uint32_t state = 0; state < states_; ++state)
+    std::sort(machine_.transitions.begin() + machine_.first[state],
+              machine_.transitions.begin() + machine_.first[state + 1],
+              [](const Mealy::Transition& a, const Mealy::Transition& b) { return a.input < b.input; });
   rows_.clear();
   return std::move(machine_);
 }

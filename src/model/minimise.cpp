@@ -85,24 +85,49 @@ std::uint32_t refine(const Mealy& machine, const std::vector<std::uint32_t>& ord
   return count;
 }
 
-/// Keeps of each block its first state in \p order; drops letters that no row uses any more.
-Mealy quotient(const Mealy& machine, const std::vector<std::uint32_t>& order, const Blocks& block,
-               std::uint32_t count) {
-  MealyBuilder builder(machine.name, machine.inputs, machine.outputs);
-  for (const std::string& assumption : machine.assumptions) builder.add_assumption(assumption);
-  for (const std::string& note : machine.notes) builder.add_note(note);
-  for (std::uint32_t i = 0; i < count; ++i) builder.add_state();
-  std::uint32_t done = 0;
-  for (const std::uint32_t state : order) {
-    if (block[state] != done) continue;
-    for (std::uint32_t t = machine.first[state]; t < machine.first[state + 1]; ++t) {
-      const Mealy::Transition& row = machine.transitions[t];
-      builder.add(done, machine.input_letters[row.input], machine.output_letters[row.output], block[row.next],
-                  row.fallback);
-    }
-    ++done;
+/// Where each letter goes when those that no row uses any more are dropped from \p letters; the order stays.
+std::vector<std::uint32_t> drop_unused(std::vector<Valuation>& letters, const std::vector<bool>& used) {
+  std::vector<std::uint32_t> place(letters.size(), UINT32_MAX);
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < letters.size(); ++i) {
+    if (!used[i]) continue;
+    if (kept != i) letters[kept] = std::move(letters[i]);
+    place[i] = kept++;
   }
-  return builder.finish();
+  letters.resize(kept);
+  return place;
+}
+
+/// Keeps of each block its first state in \p order; drops letters that no row uses any more. Letters keep
+/// their numbers' order, so that rows stay sorted and nothing is looked up.
+Mealy quotient(const Mealy& machine, const std::vector<std::uint32_t>& order, const Blocks& block) {
+  Mealy result;
+  result.name = machine.name;
+  result.inputs = machine.inputs;
+  result.outputs = machine.outputs;
+  result.input_letters = machine.input_letters;
+  result.output_letters = machine.output_letters;
+  result.assumptions = machine.assumptions;
+  result.notes = machine.notes;
+  std::vector<bool> used_inputs(machine.input_letters.size()), used_outputs(machine.output_letters.size());
+  result.first.push_back(0);
+  for (const std::uint32_t state : order) {
+    if (block[state] + 1 != result.first.size()) continue;
+    for (std::uint32_t t = machine.first[state]; t < machine.first[state + 1]; ++t) {
+      Mealy::Transition row = machine.transitions[t];
+      used_inputs[row.input] = used_outputs[row.output] = true;
+      row.next = block[row.next];
+      result.transitions.push_back(row);
+    }
+    result.first.push_back(static_cast<std::uint32_t>(result.transitions.size()));
+  }
+  const auto input_place = drop_unused(result.input_letters, used_inputs);
+  const auto output_place = drop_unused(result.output_letters, used_outputs);
+  for (Mealy::Transition& row : result.transitions) {
+    row.input = input_place[row.input];
+    row.output = output_place[row.output];
+  }
+  return result;
 }
 
 /// Numbers the blocks by first visit in the quotient, so that equal behaviour prints equal.
@@ -140,7 +165,7 @@ Mealy minimise(const Mealy& machine) {
   number_by_visit(machine, order, block, count);
   std::vector<std::uint32_t> by_number(order);
   std::stable_sort(by_number.begin(), by_number.end(), [&](auto a, auto b) { return block[a] < block[b]; });
-  return quotient(machine, by_number, block, count);
+  return quotient(machine, by_number, block);
 }
 
 }  // namespace heed::model

@@ -3,12 +3,14 @@
 #include "cofactors.h"
 #include "latch.h"
 #include "states.h"
+#include "symbolic.h"
 
-#include <heed/logic/parse.h>
 #include <heed/spec/gr1.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <optional>
 #include <unordered_map>
 
 namespace heed::strategy {
@@ -48,10 +50,39 @@ model::Valuation lowest(const game::Game& game, Owner owner) {
 
 /// The system's answer to one next input: the same wherever the rest of the future is the same.
 struct Answer {
-  std::vector<bool> bits;  ///< Outputs, then memories.
+  std::uint32_t number = 0;  ///< Of all answers.
+  std::vector<bool> bits;    ///< Outputs, then memories.
   model::Valuation values;
   bool waits = false;
   bool met = false;
+};
+
+/// The builder's numbers of input letters, found again by the path of the walk that leads to them: each state
+/// lists the same letters, and a path costs nothing that the walk does not do anyway.
+class LetterPaths {
+ public:
+  using Id = std::uint32_t;
+
+  [[nodiscard]] Id step(Id path, bool value) {
+    const Id known = nodes_[path].next[value ? 1 : 0];
+    if (known != 0) return known;
+    const auto added = static_cast<Id>(nodes_.size());
+    nodes_.emplace_back();
+    nodes_[path].next[value ? 1 : 0] = added;
+    return added;
+  }
+  [[nodiscard]] std::uint32_t letter(Id path, const model::Valuation& letter, model::MealyBuilder& builder) {
+    std::optional<std::uint32_t>& known = nodes_[path].letter;
+    if (!known) known = builder.input_letter(letter);
+    return *known;
+  }
+
+ private:
+  struct Node {
+    std::array<Id, 2> next{0, 0};
+    std::optional<std::uint32_t> letter;
+  };
+  std::vector<Node> nodes_{Node{}};  ///< The root is 0, and nobody's successor.
 };
 
 /// Lists the machine state by state. A state is the vector of functions that is left of (legal inputs, rule,
@@ -184,40 +215,57 @@ class Extractor {
       const Bdd& moves = state_.functions(key_.future)[Moves];
       choice_ = moves.is_false() ? std::vector<bool>(output_bits_.size()) : moves.pick(output_bits_);
     }
-    walk(0, key_.future, future_root_, columns_root_);
+    walk({0, 0, key_.future, future_root_, columns_root_});
     if (options_.on_violation == OnViolation::Latch)
       latch_.fill(key_.observation, [&](const model::Valuation& letter, const LegalRow& row) {
         count_row();
-        builder_.add(from_, letter, row.output, row.next, true);
+        builder_.add(from_, {builder_.input_letter(letter), row.output, row.next, true});
       });
   }
 
-  void walk(std::size_t depth, Cofactors::Id state, Cofactors::Id future, Cofactors::Id columns) {
-    if (state_.functions(state)[Legal].is_false()) return;
-    if (depth == input_order_.size()) {
-      step(state, future, columns);
+  /// A place in the walk over one state's letters.
+  struct Walk {
+    std::size_t depth;
+    LetterPaths::Id path;
+    Cofactors::Id state, future, columns;
+  };
+
+  void walk(const Walk& at) {
+    if (state_.functions(at.state)[Legal].is_false()) return;
+    if (at.depth == input_order_.size()) {
+      step(at);
       return;
     }
-    const Place& place = input_places_[input_order_[depth]];
+    const Place& place = input_places_[input_order_[at.depth]];
     for (const bool value : {false, true}) {
       if (value) letter_[place.variable] += place.weight;
-      walk(depth + 1, state_.step(state, value), future_.step(future, value), columns_.step(columns, value));
+      walk({at.depth + 1, paths_.step(at.path, value), state_.step(at.state, value),
+            future_.step(at.future, value), columns_.step(at.columns, value)});
       if (value) letter_[place.variable] -= place.weight;
     }
   }
 
-  void step(Cofactors::Id state, Cofactors::Id future, Cofactors::Id columns) {
-    const Answer& answer = answer_to(state);
+  void step(const Walk& at) {
+    const Answer& answer = answer_to(at.state);
+    Cofactors::Id future = at.future, columns = at.columns;
     for (const bool bit : answer.bits) {
       future = future_.step(future, bit);
       columns = columns_.step(columns, bit);
     }
     relies_ = relies_ || answer.waits;
     const std::vector<Bdd>& shown = columns_.functions(columns);
-    output_ = answer.values;
-    for (std::size_t i = 0; i < game_.definitions.size(); ++i) output_.push_back(shown[i].is_true() ? 1 : 0);
     const std::size_t goal = next_goal(answer.met ? (key_.goal + 1) % goals_ : key_.goal, shown);
-    add_row(future_of(future, goal), goal);
+    const auto [letter, added] =
+        output_letters_.try_emplace((std::uint64_t{answer.number} << 32) | columns, 0U);
+    if (added) letter->second = builder_.output_letter(output_of(answer, shown));
+    add_row({paths_.letter(at.path, letter_, builder_), letter->second, future_of(future, goal), false},
+            goal);
+  }
+
+  [[nodiscard]] model::Valuation output_of(const Answer& answer, const std::vector<Bdd>& shown) const {
+    model::Valuation output = answer.values;
+    for (std::size_t i = 0; i < game_.definitions.size(); ++i) output.push_back(shown[i].is_true() ? 1 : 0);
+    return output;
   }
 
   /// Goals that the new state meets are done; one that all states meet is as good as any.
@@ -229,11 +277,12 @@ class Extractor {
     return goal;
   }
 
-  void add_row(Cofactors::Id future, std::size_t goal) {
+  /// \param row  Its `next` is the future that it leads to, not yet a state.
+  void add_row(model::Mealy::Transition row, std::size_t goal) {
     count_row();
-    StateKey key{future, static_cast<std::uint32_t>(goal), 0};
+    StateKey key{row.next, static_cast<std::uint32_t>(goal), 0};
     const bool latching = options_.on_violation == OnViolation::Latch;
-    if (latching && !valid_inputs_.entails(state_.functions(future)[Legal]))
+    if (latching && !valid_inputs_.entails(state_.functions(row.next)[Legal]))
       key.observation = latch_.number(letter_);
     const auto [next, added] = states_.number(key);
     if (added) {
@@ -242,12 +291,15 @@ class Extractor {
                                   "the strategy has too many states to list");
       builder_.add_state();
     }
-    builder_.add(from_, letter_, output_, next);
-    if (latching) latch_.add(letter_, {output_, next});
+    row.next = next;
+    builder_.add(from_, row);
+    if (latching) latch_.add(letter_, {row.output, next});
   }
 
   void count_row() {
     if ((++rows_ & 0xff) == 0) budget_.check();
+    if (options_.max_rows != 0 && rows_ > options_.max_rows)
+      throw util::LimitExceeded(util::LimitExceeded::Kind::Size, "the strategy has too many rows to list");
   }
 
   const Answer& answer_to(Cofactors::Id state) {
@@ -256,6 +308,7 @@ class Extractor {
       if (!moore_ || first_step_ || std::equal(choice_.begin(), choice_.end(), answer.bits.begin()))
         return answer;
     known.push_back(first_step_ ? first_answer(state) : later_answer(state));
+    known.back().number = answer_count_++;
     return known.back();
   }
 
@@ -266,7 +319,7 @@ class Extractor {
     std::vector<bool> picked = state_.functions(state)[Moves].pick(bits);
     std::rotate(picked.begin(), picked.begin() + static_cast<std::ptrdiff_t>(memory_bits_.size()),
                 picked.end());
-    return with_values({std::move(picked), {}, false, false});
+    return with_values({0, std::move(picked), {}, false, false});
   }
 
   [[nodiscard]] Answer later_answer(Cofactors::Id state) const {
@@ -310,12 +363,7 @@ class Extractor {
   }
 
   void add_assumptions() {
-    const spec::Gr1& spec = *game_.spec;
-    for (const auto& clause : spec.env_init) builder_.add_assumption(logic::to_string(clause.formula));
-    for (const auto& clause : spec.env_safety)
-      builder_.add_assumption(logic::to_string(logic::always(clause.formula)));
-    for (const auto& clause : spec.env_justice)
-      builder_.add_assumption(logic::to_string(logic::always(logic::eventually(clause.formula))));
+    for (std::string& text : assumption_texts(*game_.spec)) builder_.add_assumption(std::move(text));
   }
 
   const game::Game& game_;
@@ -335,6 +383,10 @@ class Extractor {
   std::unordered_map<std::uint64_t, Cofactors::Id> keys_;
   std::unordered_map<Cofactors::Id, std::vector<Answer>> answers_;
   States states_;
+  std::uint32_t answer_count_ = 0;
+  /// The builder's number for an answer and the columns that go with it.
+  std::unordered_map<std::uint64_t, std::uint32_t> output_letters_;
+  LetterPaths paths_;
   model::MealyBuilder builder_;
   LatchRows latch_;
   std::uint64_t rows_ = 0;
@@ -345,7 +397,7 @@ class Extractor {
   StateKey key_;
   bool first_step_ = true;
   std::vector<bool> choice_;  ///< Moore: its answer.
-  model::Valuation letter_, output_;
+  model::Valuation letter_;
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace heed::strategy {
 
 /// The answer to a legal observation, to be repeated for an illegal one.
 struct LegalRow {
-  model::Valuation output;
+  std::uint32_t output = 0;  ///< The builder's number of the letter.
   std::uint32_t next = 0;
 };
 
@@ -22,9 +22,7 @@ class LatchRows {
   LatchRows(const std::vector<model::Variable>& inputs, bool used);
 
   void clear() { rows_.clear(); }
-  void add(const model::Valuation& letter, LegalRow row) {
-    rows_.push_back({number(letter), std::move(row)});
-  }
+  void add(const model::Valuation& letter, LegalRow row) { rows_.push_back({number(letter), row}); }
 
   /// A letter's number, from 1, in ascending order of letters. \pre used
   [[nodiscard]] std::uint64_t number(const model::Valuation& letter) const;

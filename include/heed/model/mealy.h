@@ -67,6 +67,11 @@ class MealyBuilder {
   std::uint32_t add_state();
   void add(std::uint32_t state, const Valuation& input, const Valuation& output, std::uint32_t next,
            bool fallback = false);
+  /// The same with letters that were interned before: for rows whose letters repeat.
+  void add(std::uint32_t state, const Mealy::Transition& row) { rows_.push_back({state, row}); }
+  /// Numbers a letter, the same for equal valuations; valid for add() only.
+  [[nodiscard]] std::uint32_t input_letter(const Valuation& letter);
+  [[nodiscard]] std::uint32_t output_letter(const Valuation& letter);
   void add_assumption(std::string formula) { machine_.assumptions.push_back(std::move(formula)); }
   void add_note(std::string note) { machine_.notes.push_back(std::move(note)); }
   /// \pre no (state, input) was added twice. The builder is spent.
