@@ -7,8 +7,8 @@
 
 namespace heed::owl::test {
 
-/// Functional-style text with the operands of commutative constructors in a fixed order.
-inline std::string sorted_text(std::string_view text, std::size_t& at) {
+/// The end of the word that begins at \p at: quoted texts and IRIs may hold anything.
+inline std::size_t word_end(std::string_view text, std::size_t at) {
   std::size_t end = at;
   for (bool quoted = false; end < text.size(); ++end) {
     if (quoted && text[end] == '\\')
@@ -20,27 +20,44 @@ inline std::string sorted_text(std::string_view text, std::size_t& at) {
     else if (!quoted && std::string_view(" ()").find(text[end]) != std::string_view::npos)
       break;
   }
-  const std::string head(text.substr(at, end - at));
-  at = end;
-  if (at >= text.size() || text[at] != '(') return head;
-  std::vector<std::string> parts;
-  while (text[at] != ')') {
-    ++at;
-    if (text[at] != ')') parts.push_back(sorted_text(text, at));
-  }
-  ++at;
+  return end;
+}
+
+/// Functional-style text with the operands of commutative constructors in a fixed order.
+inline std::string sorted_text(std::string_view text) {
   static const std::set<std::string> commutative = {
       "ObjectIntersectionOf", "ObjectUnionOf",        "ObjectOneOf", "EquivalentClasses",
       "DisjointClasses",      "DifferentIndividuals", "DataOneOf",   "SameIndividual"};
-  if (commutative.contains(head)) std::sort(parts.begin(), parts.end());
-  std::string out = head + "(";
-  for (const std::string& part : parts) out += part + " ";
-  return out + ")";
-}
-
-inline std::string sorted_text(const std::string& text) {
-  std::size_t at = 0;
-  return sorted_text(text, at);
+  struct Open {
+    std::string head;
+    std::vector<std::string> parts;
+  };
+  std::vector<Open> open{{"", {}}};
+  for (std::size_t at = 0; at < text.size();) {
+    if (text[at] == ')') {
+      Open done = std::move(open.back());
+      open.pop_back();
+      if (commutative.contains(done.head)) std::sort(done.parts.begin(), done.parts.end());
+      std::string out = done.head + "(";
+      for (const std::string& part : done.parts) out += part + " ";
+      open.back().parts.push_back(out + ")");
+      ++at;
+    } else if (text[at] == ' ') {
+      ++at;
+    } else {
+      const std::size_t end = word_end(text, at);
+      std::string word(text.substr(at, end - at));
+      const bool opens = end < text.size() && text[end] == '(';
+      if (opens)
+        open.push_back({std::move(word), {}});
+      else
+        open.back().parts.push_back(std::move(word));
+      at = opens ? end + 1 : end;
+    }
+  }
+  std::string out;
+  for (const std::string& part : open.front().parts) out += part;
+  return out;
 }
 
 inline std::string blank_names_alike(std::string text) {
