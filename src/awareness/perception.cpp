@@ -167,7 +167,7 @@ class InputList {
 
   /// \returns the name of the input that reports the absence.
   std::string add_exclusion(const Symbol& symbol) {
-    const std::string name = names_.claim("no_" + symbol.atom);
+    std::string name = names_.claim("no_" + symbol.atom);
     inputs.push_back({name, {}, {{1, name, {}, {}, symbol.feature}}});
     symbols.emplace_back(name, logic::name(name));
     return name;
