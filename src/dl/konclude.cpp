@@ -49,12 +49,14 @@ class ScratchFolder {
                          "leave --reasoner out: what heed's own reasoner answers does not hang on it");
 }
 
-/// Declarations and logical axioms: what Konclude cannot misread.
+/// The classes and the logical axioms: what Konclude cannot misread.
 std::string document(const owl::Ontology& ontology) {
-  std::vector<owl::AxiomId> ids;
+  std::string out = "Ontology(\n";
+  for (const owl::Iri iri : ontology.entities(owl::EntityKind::Class))
+    out += fmt::format("Declaration(Class(<{}>))\n", ontology.text(iri));
   for (const owl::Axiom& axiom : ontology.axioms())
-    if (owl::is_logical(axiom) || axiom.as<owl::Declaration>() != nullptr) ids.push_back(axiom.id);
-  return owl::to_functional(ids, ontology);
+    if (owl::is_logical(axiom)) out += owl::to_functional(axiom, ontology) + '\n';
+  return out + ")\n";
 }
 
 /// Lines of the log that begin with \p mark, without it and the time.
@@ -63,6 +65,7 @@ std::vector<std::string> lines_of(const std::string& log, std::string_view mark)
   std::istringstream lines(log);
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with(mark)) continue;
+    line.erase(line.find_last_not_of(" \r") + 1);
     const std::size_t text = line.find(">> ");
     out.push_back(text == std::string::npos ? line : line.substr(text + 3));
   }

@@ -50,9 +50,32 @@ class OwlApi : public testing::Test {
   std::string folder_;
 };
 
-/// The same logical axioms; at most a few of the difference are shown.
+/// Two names that are inverse to each other may stand in either order.
+std::string either_way(const std::string& axiom) {
+  constexpr std::string_view head = "InverseObjectProperties(";
+  const std::size_t space = axiom.find(' ');
+  if (!axiom.starts_with(head) || axiom.find(' ', space + 1) + 2 != axiom.size()) return axiom;
+  const std::string first = axiom.substr(head.size(), space - head.size());
+  const std::string second = axiom.substr(space + 1, axiom.size() - space - 3);
+  return first < second ? axiom : fmt::format("{}{} {} )", head, second, first);
+}
+
+/// Logical axioms once each. The OWL API takes `x a owl:Thing` for a declaration, and writes no inclusion of
+/// a complex class in the Manchester syntax, which has no frame for it.
+std::set<std::string> comparable(const Ontology& ontology, bool manchester) {
+  std::set<std::string> out;
+  for (const std::string& axiom : logical(ontology)) {
+    const bool trivial = axiom.starts_with("ClassAssertion(<http://www.w3.org/2002/07/owl#Thing>");
+    const bool general = axiom.starts_with("SubClassOf(Object") || axiom.starts_with("SubClassOf(Data");
+    if (!trivial && !(general && manchester)) out.insert(either_way(axiom));
+  }
+  return out;
+}
+
+/// The same axioms; at most a few of the difference are shown.
 void expect_same(const Ontology& wanted, const Ontology& got, const std::string& what) {
-  const auto a = logical(wanted), b = logical(got);
+  const bool manchester = what.ends_with("omn");
+  const auto a = comparable(wanted, manchester), b = comparable(got, manchester);
   std::vector<std::string> lost, invented;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(lost));
   std::set_difference(b.begin(), b.end(), a.begin(), a.end(), std::back_inserter(invented));
