@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 #include <string>
 
@@ -28,11 +29,31 @@ std::size_t bits_for(const model::Domain& domain) {
   return bits;
 }
 
+/// The conjuncts of \p formula, in the order written; from left to right through nested conjunctions.
+std::vector<logic::Formula> conjuncts(const logic::Formula& formula) {
+  std::vector<logic::Formula> result;
+  std::vector<logic::Formula> open{formula};
+  std::set<const void*> seen;
+  while (!open.empty()) {
+    const logic::Formula here = std::move(open.back());
+    open.pop_back();
+    if (!seen.insert(here.identity()).second) continue;
+    if (here.op() != logic::Op::And) {
+      result.push_back(here);
+      continue;
+    }
+    const auto operands = here.operands();
+    open.insert(open.end(), operands.rbegin(), operands.rend());
+  }
+  return result;
+}
+
 /// Builds one game, part by part.
 class Builder {
  public:
-  Builder(const spec::Gr1& spec, util::Budget& budget)
+  Builder(const spec::Gr1& spec, util::Budget& budget, const BuildOptions& options)
       : budget_(budget),
+        options_(options),
         manager_(std::make_shared<bdd::Manager>(bdd::ManagerOptions{}, &budget)),
         encoder_(*manager_, budget),
         symbols_(spec) {
@@ -60,7 +81,7 @@ class Builder {
     for (const auto& input : spec.inputs) game_.variables.push_back({input, Owner::Input, {}});
     for (const auto& output : spec.outputs) game_.variables.push_back({output.variable, Owner::Output, {}});
     for (const auto& memory : spec.memories) game_.variables.push_back({memory.variable, Owner::Memory, {}});
-    for (const std::size_t index : static_order(spec)) {
+    for (const std::size_t index : order()) {
       Encoded& variable = game_.variables[index];
       for (std::size_t i = bits_for(variable.variable.domain); i > 0; --i)
         variable.bits.push_back(manager_->new_pair());
@@ -70,6 +91,13 @@ class Builder {
       encoder_.add_variable(variable);
       game_.valid &= in_range(variable);
     }
+  }
+
+  [[nodiscard]] std::vector<std::size_t> order() const {
+    if (options_.techniques.structure_order) return static_order(*game_.spec);
+    std::vector<std::size_t> declared(game_.variables.size());
+    std::iota(declared.begin(), declared.end(), std::size_t{0});
+    return declared;
   }
 
   [[nodiscard]] Bdd constant(bool value) const { return manager_->constant(value); }
@@ -166,30 +194,39 @@ class Builder {
   }
 
   void environment() {
-    game_.env_safety = ranges(Owner::Input).next();
+    for (const Encoded& variable : game_.variables)
+      if (variable.owner == Owner::Input) add_env_step(in_range(variable).next());
     for (const auto& clause : game_.spec->env_safety) {
-      const Bdd holds =
-          restricted(clause.formula, {{Owner::Output, true}}, "an assumption on the environment's steps",
-                     "current values and primed inputs");
-      if (has_next(clause.formula) || judged_by_answers(clause.formula)) {
-        game_.env_safety &= holds;
-      } else {
-        game_.env_initial &= holds;
-        game_.env_safety &= holds.next();
+      const bool state = !has_next(clause.formula) && !judged_by_answers(clause.formula);
+      for (const logic::Formula& conjunct : conjuncts(clause.formula)) {
+        const Bdd holds =
+            restricted(conjunct, {{Owner::Output, true}}, "an assumption on the environment's steps",
+                       "current values and primed inputs");
+        if (state) game_.env_initial &= holds;
+        add_env_step(state ? holds.next() : holds);
       }
     }
+    if (options_.whole_environment) game_.env_safety = manager_->conjunction(game_.env_steps);
+  }
+
+  void add_env_step(const Bdd& holds) {
+    if (!holds.is_true()) game_.env_steps.push_back(holds);
+  }
+
+  void add_sys_step(const Bdd& holds, std::size_t clause) {
+    if (!holds.is_true()) game_.sys_safety.push_back({holds, clause});
   }
 
   void system() {
-    game_.sys_safety.push_back({ranges(Owner::Output).next(), Part::no_clause});
+    for (const Encoded& variable : game_.variables)
+      if (variable.owner == Owner::Output) add_sys_step(in_range(variable).next(), Part::no_clause);
     for (std::size_t i = 0; i < game_.spec->sys_safety.size(); ++i) {
       const auto& clause = game_.spec->sys_safety[i];
-      const Bdd holds = encoder_.holds(clause.formula);
-      if (has_next(clause.formula)) {
-        game_.sys_safety.push_back({holds, i});
-      } else {
-        game_.initial_safety.push_back({holds, i});
-        game_.sys_safety.push_back({holds.next(), i});
+      const bool state = !has_next(clause.formula);
+      for (const logic::Formula& conjunct : conjuncts(clause.formula)) {
+        const Bdd holds = encoder_.holds(conjunct);
+        if (state) game_.initial_safety.push_back({holds, i});
+        add_sys_step(state ? holds.next() : holds, i);
       }
     }
   }
@@ -240,6 +277,7 @@ class Builder {
   }
 
   util::Budget& budget_;
+  BuildOptions options_;
   std::shared_ptr<bdd::Manager> manager_;
   Encoder encoder_;
   spec::Symbols symbols_;
@@ -276,9 +314,9 @@ bdd::Bdd Game::initial_inputs() const {
   return env_initial.and_exists(memory_initial, memories);
 }
 
-Game build_game(const spec::Gr1& spec, util::Budget& budget) {
+Game build_game(const spec::Gr1& spec, util::Budget& budget, const BuildOptions& options) {
   spec::validate(spec);
-  return Builder(spec, budget).build();
+  return Builder(spec, budget, options).build();
 }
 
 Game select(const Game& game, const Selection& selection) {

@@ -11,7 +11,10 @@ namespace {
 
 using Edge = std::vector<std::size_t>;
 
-/// Which variables a clause brings together, definitions expanded.
+/// Parts of a clause with more variables than this say little about which of them belong together.
+constexpr std::size_t most_together = 8;
+
+/// Which variables a clause and its parts bring together, definitions expanded.
 class Edges {
  public:
   explicit Edges(const spec::Gr1& spec) {
@@ -25,7 +28,7 @@ class Edges {
     }
     for (const auto* part : {&spec.env_init, &spec.env_safety, &spec.env_justice, &spec.sys_init,
                              &spec.sys_safety, &spec.sys_justice})
-      for (const auto& clause : *part) add_edge(variables_of(clause.formula));
+      for (const auto& clause : *part) add_clause(clause.formula);
     for (const auto& memory : spec.memories) add_update(memory);
   }
 
@@ -37,6 +40,24 @@ class Edges {
 
   void add_edge(Edge edge) {
     if (edge.size() > 1) edges_.push_back(std::move(edge));
+  }
+
+  /// The clause, and its small parts: that bits of two numbers are compared one by one shows only there.
+  void add_clause(const logic::Formula& formula) {
+    add_edge(variables_of(formula));
+    std::unordered_map<const void*, Edge> small;  // empty where there is none, or more than some
+    for (const logic::Formula& node : logic::postorder(formula)) {
+      Edge edge = node.op() == logic::Op::Name ? variables_of(node) : Edge();
+      for (const logic::Formula& operand : node.operands()) {
+        const Edge& part = small.at(operand.identity());
+        edge.insert(edge.end(), part.begin(), part.end());
+      }
+      std::sort(edge.begin(), edge.end());
+      edge.erase(std::unique(edge.begin(), edge.end()), edge.end());
+      if (edge.size() > most_together) edge.clear();
+      if (node.operands().size() > 1) add_edge(edge);
+      small.emplace(node.identity(), std::move(edge));
+    }
   }
 
   void add_update(const spec::Memory& memory) {

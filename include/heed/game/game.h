@@ -1,6 +1,7 @@
 #pragma once
 
 #include <heed/bdd/bdd.h>
+#include <heed/game/techniques.h>
 #include <heed/model/variable.h>
 #include <heed/spec/gr1.h>
 #include <heed/util/limits.h>
@@ -57,8 +58,9 @@ struct Game {
   bdd::Bdd next_inputs, next_outputs, next_memories;  ///< Cubes of next variables.
   bdd::Bdd valid;                                     ///< Current codes are codes of the domains.
 
-  bdd::Bdd env_initial;              ///< X, M: theta_e and what the environment always keeps.
-  bdd::Bdd env_safety;               ///< X, Y, M, X', M': rho_e.
+  bdd::Bdd env_initial;  ///< X, M: theta_e and what the environment always keeps.
+  bdd::Bdd env_safety;   ///< X, Y, M, X', M': rho_e; invalid where BuildOptions did not ask for it.
+  std::vector<bdd::Bdd> env_steps;   ///< The conjuncts of rho_e.
   bdd::Bdd memory_initial;           ///< M: the values that memories may start with.
   std::vector<Part> sys_initial;     ///< X, Y, M: theta_s, by clause of sys_init.
   std::vector<Part> initial_safety;  ///< X, Y, M: clauses of sys_safety without Next, at the first step.
@@ -80,10 +82,16 @@ struct Selection {
   std::vector<bool> init, safety, justice;
 };
 
+struct BuildOptions {
+  /// Whether Game::env_safety is made. Solving does without it where the environment is partitioned.
+  bool whole_environment = true;
+  Techniques techniques{};
+};
+
 /// Encodes \p spec. The variable order follows from its structure: names that stand in clauses together stand
 /// near each other, each bit's current and next variable adjacent. \throws util::InputError  a name, a Next
 /// or a type where it may not stand; util::LimitExceeded
-[[nodiscard]] Game build_game(const spec::Gr1& spec, util::Budget& budget);
+[[nodiscard]] Game build_game(const spec::Gr1& spec, util::Budget& budget, const BuildOptions& options = {});
 
 /// The game with fewer obligations on the system. Ranges and memories stay.
 [[nodiscard]] Game select(const Game& game, const Selection& selection);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <heed/game/game.h>
+#include <heed/game/techniques.h>
 
 #include <cstdint>
 #include <vector>
@@ -12,9 +13,7 @@ struct SolveOptions {
   bool iterates = false;        ///< Keep how the region shrank, for explaining a defeat.
   bool stop_early = false;      ///< Stop as soon as some initial state is known to be lost.
   std::uint64_t max_steps = 0;  ///< Controllable predecessors to compute; 0: no bound.
-  /// Conjuncts by what they let quantify, not as they were written: arbiters gain, large buffers lose by it.
-  bool greedy_schedule = false;
-  bool work_reordering = true;  ///< Sift also when much was done since the last time, not only on growth.
+  Techniques techniques{};
 };
 
 /// One round of the outermost fixpoint: what was lost when goal `goal` was looked at; Part::no_clause: by
@@ -29,6 +28,8 @@ struct Region {
   bool realizable = false;
   bool complete = true;  ///< False: `max_steps` was reached and nothing is known.
   bdd::Bdd winning;      ///< Over current variables. Stopped early: a superset of the winning states.
+  /// What holds at the start and whatever the system rightly answers; all other sets are parts of it.
+  bdd::Bdd invariant;
   /// ranks[j][k]: the system can force goal j, or a broken assumption, in at most k + 1 rounds.
   std::vector<std::vector<bdd::Bdd>> ranks;
   /// waits[j][k][i]: part of ranks[j][k]; from here it may wait while assumption i fails. Empty for ranks
@@ -52,36 +53,47 @@ struct Region {
 /// Whether the start is won when \p winning is: by the specification's InitialQuantifiers.
 [[nodiscard]] bool wins_initially(const Game& game, const bdd::Bdd& winning);
 
+/// One step of a relational product: conjoin `relation`, then quantify `cube`, which no later stage mentions.
+struct Stage {
+  bdd::Bdd relation;
+  bdd::Bdd cube;
+};
+
 /// Controllable predecessors with the relation partitioned and each variable quantified as early as possible:
 ///
 ///     Mealy:  cpre(T) = forall X' . exists M' . M' = update & (rho_e -> exists Y' . rho_s & T)
 ///     Moore:  cpre(T) = exists Y' . forall X' . exists M' . M' = update & (rho_e -> rho_s & T)
 class Predecessor {
  public:
-  explicit Predecessor(const Game& game, bool greedy_schedule = false);
+  explicit Predecessor(const Game& game, const Techniques& techniques = {});
   /// \param target  A set of states, over current variables.
   [[nodiscard]] bdd::Bdd of_set(const bdd::Bdd& target) const;
   /// \param target  A relation over current and next variables.
   [[nodiscard]] bdd::Bdd of_relation(const bdd::Bdd& target) const;
   /// The pairs (state, next inputs) that some answer takes into \p target, memories still primed. Mealy only.
   [[nodiscard]] bdd::Bdd answers(const bdd::Bdd& target) const;
+
+  /// exists Y' . rho_s & T', as far as rho_s mentions Y'; distributes over unions. Moore: without quantifier.
+  [[nodiscard]] bdd::Bdd answered(const bdd::Bdd& target) const;
+  /// exists X' M' . rho_e & M' = update & \p steps; distributes over unions.
+  [[nodiscard]] bdd::Bdd forced(bdd::Bdd steps) const;
+  /// States from which the environment can force a break of rho_s, whatever the answer.
+  [[nodiscard]] const bdd::Bdd& doomed() const { return doomed_; }
+  /// Predecessors computed.
   [[nodiscard]] std::uint64_t computed() const { return computed_; }
+  /// Another one is put together from its pieces.
+  void count() const { ++computed_; }
 
  private:
-  struct Stage {
-    bdd::Bdd relation;
-    bdd::Bdd cube;  ///< What no later stage mentions.
-  };
-  [[nodiscard]] static std::vector<Stage> schedule(std::vector<bdd::Bdd> parts, const bdd::Bdd& cube,
-                                                   bool greedy);
-  [[nodiscard]] bdd::Bdd without_outputs(bdd::Bdd target) const;
+  [[nodiscard]] bdd::Bdd answered_in(bdd::Bdd target) const;
   [[nodiscard]] bdd::Bdd close(const bdd::Bdd& answered) const;
 
   const Game& game_;
   bool moore_;
-  std::vector<Stage> outputs_;   ///< rho_s where it mentions Y'.
-  bdd::Bdd rest_;                ///< rho_s where it does not.
-  std::vector<Stage> memories_;  ///< M' = update.
+  std::vector<Stage> outputs_;  ///< rho_s where it mentions Y'.
+  std::vector<Stage> moves_;    ///< rho_e and M' = update.
+  bdd::Bdd rest_;               ///< rho_s where it does not mention Y'.
+  bdd::Bdd doomed_;
   mutable std::uint64_t computed_ = 0;
 };
 

@@ -16,10 +16,11 @@ bool wins(const std::string& text) {
   SolveOptions early;
   early.stop_early = true;
   EXPECT_EQ(solve(game, budget, early).realizable, region.realizable) << text;
-  SolveOptions other;
-  other.greedy_schedule = true;
-  other.work_reordering = false;
-  EXPECT_EQ(solve(game, budget, other).winning, region.winning) << text;
+  for (const std::string& technique : technique_names()) {
+    SolveOptions other;
+    set_technique(other.techniques, technique, technique == "cluster-nodes" ? "0" : "off");
+    EXPECT_EQ(solve(game, budget, other).winning, region.winning) << "without " << technique << "\n" << text;
+  }
   return region.realizable;
 }
 
