@@ -2,6 +2,7 @@
 #include "inputs.h"
 #include "output.h"
 
+#include <heed/job/chain.h>
 #include <heed/job/evaluate.h>
 #include <heed/sim/rational.h>
 #include <heed/sim/statistics.h>
@@ -11,6 +12,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 
 namespace heed::cli {
 namespace {
@@ -86,10 +89,35 @@ std::string evaluation_text(const job::Evaluation& found, double confidence) {
   return out;
 }
 
+/// A word for a file's name.
+std::string file_word(const std::string& name) {
+  std::string word;
+  for (const char c : name)
+    word += std::isalnum(static_cast<unsigned char>(c)) != 0
+                ? static_cast<char>(std::tolower(static_cast<unsigned char>(c)))
+                : '-';
+  return word;
+}
+
+/// Writes the chain of a controller on a profile where --chain asks for it.
+void write_chain(const Arguments& arguments, const Setting& setting, const job::ProfilePart& profile,
+                 const model::Mealy& machine, util::Budget& budget) {
+  const std::string format = arguments.text("--chain");
+  if (format.empty()) return;
+  const sim::Product chain =
+      job::chain(setting.scenario, setting.world, profile, machine, setting.thing, budget);
+  const std::string folder = arguments.text("--output", ".");
+  std::filesystem::create_directories(folder);
+  util::write_file(
+      fmt::format("{}/{}-{}.{}", folder, file_word(machine.name), file_word(profile.spec.name), format),
+      format == "prism" ? sim::write_prism(chain) : sim::write_jani(chain));
+}
+
 /// One controller: text to standard output, or JSON to \p documents.
 void simulate_controller(const Arguments& arguments, const Setting& setting, const model::Mealy& machine,
                          util::Budget& budget, Json& documents) {
   for (const job::ProfilePart* profile : chosen_profiles(arguments, setting.scenario)) {
+    write_chain(arguments, setting, *profile, machine, budget);
     const job::Evaluation found = job::evaluate(setting.scenario, setting.world, *profile, machine,
                                                 setting.thing, setting.options, budget);
     const double confidence = setting.scenario.evaluate->confidence;
@@ -113,6 +141,10 @@ void simulate_controller(const Arguments& arguments, const Setting& setting, con
 int simulate_command(const Arguments& arguments) {
   const util::Limits limits = arguments.limits();
   util::Budget budget(limits);
+  const std::string chain = arguments.text("--chain");
+  if (!chain.empty() && chain != "prism" && chain != "jani")
+    throw UsageError(fmt::format("--chain must be prism or jani, not '{}'", chain),
+                     util::suggestion(chain, {"prism", "jani"}));
   const job::Scenario scenario = load_scenario(arguments);
   if (!scenario.evaluate || scenario.profiles.empty())
     throw UsageError("the scenario has no [[profile]] and [evaluate]",

@@ -95,6 +95,8 @@ std::vector<Command> controller_commands() {
        {{"SCENARIO", "Scenario file"}, {"CONTROLLER", "Controller files", true, true}},
        {{"--profile", "NAME", "all", "", "Only this profile of the scenario"},
         {"--thing", "NAME", "the scenario's", "", "Entity on the road, or \"none\""},
+        {"--chain", "FORMAT", "", "prism|jani", "Write controller and profile as Markov chains, too"},
+        {"--output", "FOLDER", ".", "", "Where the chains go"},
         seed_option,
         traces_option,
         threads_option},

@@ -36,6 +36,9 @@ check 'verify --json' exits 0 "$heed" verify "$work/tree.json" "$work/tree.gr1" 
 check 'verify --json is JSON' is_json
 check 'simulate' exits 0 "$heed" simulate "$scenario" "$work/run/awareness.controller.json" --profile P2
 check 'simulate is exact' says '1/3'
+check 'simulate --chain' exits 0 "$heed" simulate "$scenario" "$work/run/awareness.controller.json" --chain prism --output "$work/chains"
+check 'a chain for each profile' exits 0 grep -q 'label "outcome_stop_in_2"' "$work/chains/awareness-p1.prism" "$work/chains/awareness-p3.prism"
+check 'simulate --chain knows its formats' exits 2 "$heed" simulate "$scenario" "$work/run/awareness.controller.json" --chain prsm
 check 'simulate --json' exits 0 "$heed" simulate "$scenario" "$work/run/base.controller.json" --json --traces 0
 check 'simulate --json is JSON' is_json
 for format in cpp json dot; do check "export --to $format" exits 0 "$heed" export "$work/run/awareness.controller.json" --to $format; done
@@ -44,5 +47,17 @@ check 'version --json' exits 0 "$heed" version --json
 check 'version --json is JSON' is_json
 check 'the second example gives the sigma of the paper' exits 0 "$heed" spec examples/yield-roles/yield.toml --sigma
 check 'recognition' says 'G (sign & red & triangle -> yield)'
-check 'prescription' says "G (yield -> giveWay')"
+check 'prescription' says "G (yield -> X giveWay)"
+check 'an ontology of individuals needs no roots' exits 0 "$heed" kb examples/yield-roles/yield.owl
+check 'it shows what the sign looks like' says 'yield sign (yield): red, triangle -> give way'
+check 'another domain' exits 0 "$heed" run examples/warehouse/warehouse.toml -o "$work/warehouse"
+check 'speaks of no sign' test -z "$(grep -i 'sign\|brak' "$work/out")"
+check 'says who comes first' says "'Wait' comes first"
+check 'an unknown command with --json' exits 2 "$heed" rn --json
+check 'is told in JSON' is_json
+sed 's/^M1 -hard_stop-> S0//' examples/stop-sign/car.fts >"$work/car.fts"
+sed "s|\"traffic-signs.owl\"|\"$PWD/examples/stop-sign/traffic-signs.owl\"|" examples/stop-sign/stop-sign.toml >"$work/no-hard-stop.toml"
+check 'a car that cannot stop hard' exits 1 "$heed" run "$work/no-hard-stop.toml" -o "$work/none"
+check 'is told by its state' says 'In M1 there is no way out'
+check 'with the way there' says 'How it comes to that: M0 sees nothing: go'
 finish

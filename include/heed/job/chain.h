@@ -1,0 +1,13 @@
+#pragma once
+
+#include <heed/job/evaluate.h>
+#include <heed/sim/product.h>
+
+namespace heed::job {
+
+/// The chain that evaluate() adds up: \p machine on \p profile, with \p thing on the road.
+/// \throws util::LimitExceeded  too many states to list
+[[nodiscard]] sim::Product chain(const Scenario& scenario, const World& world, const ProfilePart& profile,
+                                 const model::Mealy& machine, Thing thing, util::Budget& budget);
+
+}  // namespace heed::job

@@ -1,0 +1,12 @@
+#include <heed/job/chain.h>
+
+namespace heed::job {
+
+sim::Product chain(const Scenario& scenario, const World& world, const ProfilePart& profile,
+                   const model::Mealy& machine, Thing thing, util::Budget& budget) {
+  const Approach way = approach(profile, world, machine, thing, budget);
+  const sim::Judge judge = make_judge(scenario, world, machine, false);
+  return sim::product({way.chain, machine, way.binding, judge}, budget);
+}
+
+}  // namespace heed::job
