@@ -17,6 +17,9 @@ namespace {
 
 using Ask = std::function<bool(Question&)>;
 
+/// So few axioms are mostly minimal already: chunks would all be put back.
+constexpr std::size_t few = 24;
+
 /// A theory of some of the axioms, saturated as far as individuals reach.
 struct Part {
   Part(const owl::Ontology& ontology, const std::vector<owl::AxiomId>* ids, util::Budget& budget, bool trace)
@@ -35,12 +38,14 @@ class Justifier::Impl {
  public:
   Impl(owl::Ontology given, util::Budget& limits) : ontology(std::move(given)), budget(limits) {}
 
-  std::optional<std::vector<owl::AxiomId>> justify(const Ask& ask) {
+  /// \param about  What is asked about: its named classes are saturated once and kept for later questions.
+  std::optional<std::vector<owl::AxiomId>> justify(const Ask& ask, const owl::ClassExpression& about = {}) {
     if (!whole) whole = std::make_unique<Part>(ontology, nullptr, budget, true);
+    prepare(about);
     Question question(whole->base, budget);
     if (!ask(question)) return std::nullopt;
     std::vector<owl::AxiomId> kept = question.axioms();
-    for (std::size_t chunk = std::max<std::size_t>(kept.size() / 4, 1);;
+    for (std::size_t chunk = kept.size() > few ? kept.size() / 4 : 1;;
          chunk = std::max<std::size_t>(chunk / 2, 1)) {
       contract(kept, chunk, ask);
       if (chunk == 1) return kept;
@@ -48,6 +53,19 @@ class Justifier::Impl {
   }
 
  private:
+  void prepare(const owl::ClassExpression& about) {
+    std::vector<const owl::ClassExpression*> open = {&about};
+    while (!open.empty()) {
+      const owl::ClassExpression& next = *open.back();
+      open.pop_back();
+      for (const auto& operand : next.operands()) open.push_back(&operand);
+      if (!next.is_named()) continue;
+      const Concept c = whole->theory.class_concept(next.iri());
+      if (c != nothing_known) whole->base.context({c});
+    }
+    whole->base.run();
+  }
+
   /// Takes out every run of \p chunk axioms without which the answer stays the same.
   void contract(std::vector<owl::AxiomId>& kept, std::size_t chunk, const Ask& ask) {
     for (std::size_t at = 0; at < kept.size();) {
@@ -76,11 +94,11 @@ Justifier& Justifier::operator=(Justifier&&) noexcept = default;
 
 std::optional<std::vector<owl::AxiomId>> Justifier::subsumption(const owl::ClassExpression& sub,
                                                                 const owl::ClassExpression& super) {
-  return impl_->justify([&](Question& question) { return question.subsumption(sub, super); });
+  return impl_->justify([&](Question& question) { return question.subsumption(sub, super); }, sub);
 }
 
 std::optional<std::vector<owl::AxiomId>> Justifier::unsatisfiable(const owl::ClassExpression& expression) {
-  return impl_->justify([&](Question& question) { return !question.satisfiable(expression); });
+  return impl_->justify([&](Question& question) { return !question.satisfiable(expression); }, expression);
 }
 
 std::optional<std::vector<owl::AxiomId>> Justifier::type(owl::Iri individual,

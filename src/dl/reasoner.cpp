@@ -45,6 +45,26 @@ class Reasoner::Impl {
     taxonomy = build_taxonomy(classes, supers, unsatisfiable, thing, ontology.iri_count());
   }
 
+  /// The common questions need nothing new: is a named class below `some R D` with a named D? Nothing where
+  /// that cannot be looked up.
+  [[nodiscard]] std::optional<bool> look_up(const owl::ClassExpression& sub,
+                                            const owl::ClassExpression& super) const {
+    if (!sub.is_named() || super.kind() != owl::ClassExpression::Kind::Some || !super.filler().is_named())
+      return std::nullopt;
+    const bool known = sub.iri().id < contexts.size() && contexts[sub.iri().id] != nothing_known;
+    const Role role = theory.role(super.property().iri, false);
+    const bool thing = super.filler().is_thing();
+    const Concept filler = thing ? top : theory.class_concept(super.filler().iri());
+    if (!known || role == nothing_known || filler == nothing_known || base.inconsistent())
+      return std::nullopt;
+    const Context& x = base.at(contexts[sub.iri().id]);
+    const Role wanted = super.property().inverse ? inverse(role) : role;
+    return x.unsatisfiable || std::any_of(x.successors.begin(), x.successors.end(), [&](const Link& edge) {
+             return base.is_subrole(edge.role, wanted) &&
+                    (base.has(edge.other, filler) || base.at(edge.other).unsatisfiable);
+           });
+  }
+
   [[nodiscard]] std::vector<owl::Iri> named(const Context& x) const {
     std::vector<owl::Iri> out;
     for (const Concept c : x.subsumers)
@@ -132,6 +152,7 @@ bool Reasoner::satisfiable(const owl::ClassExpression& expression) const {
 bool Reasoner::entails_subsumption(const owl::ClassExpression& sub, const owl::ClassExpression& super) const {
   if (sub.is_named() && super.is_named())
     return super.is_nothing() ? !satisfiable(sub.iri()) : subsumes(super.iri(), sub.iri());
+  if (const auto known = impl_->look_up(sub, super)) return *known;
   util::Budget budget;
   return Question(impl_->base, budget).subsumption(sub, super);
 }
