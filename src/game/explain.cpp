@@ -51,6 +51,7 @@ class Play {
 
   [[nodiscard]] Bdd state() const { return cube({Owner::Input, Owner::Output, Owner::Memory}); }
   [[nodiscard]] std::string text(Owner owner) const { return values_text(game_, owner, assignment_); }
+  [[nodiscard]] Values values(Owner owner) const { return values_of(game_, owner, assignment_); }
 
   [[nodiscard]] std::string answer_text() const {
     std::string answer = text(Owner::Output);
@@ -91,6 +92,7 @@ class Play {
     const Bdd possible = game_.initial_answer();
     const Bdd losing = losing_inputs(legal, possible);
     choose(Owner::Input, losing);
+    choose(Owner::Memory, game_.memory_initial & game_.valid);
     defeat_.losing_initial = text(Owner::Input);
     const bool chooses_first = game_.spec->initial == spec::InitialQuantifiers::ExistsForall;
     say(fmt::format("{} the environment gives {}.",
@@ -124,11 +126,13 @@ class Play {
     const Bdd picked = best & best.pick_cube(bits);
     choose(Owner::Memory, picked);
     choose(Owner::Output, picked & cube({Owner::Memory}));
+    defeat_.turns.push_back({values(Owner::Input), values(Owner::Memory), values(Owner::Output)});
     say(fmt::format("The system holds out longest by answering {}.", answer_text()));
     return true;
   }
 
   void say_conflict(const std::vector<Part>& parts, const Bdd& here, std::size_t first_safety) {
+    defeat_.turns.push_back({values(Owner::Input), values(Owner::Memory), {}});
     std::vector<Bdd> left;
     left.reserve(parts.size());
     for (const Part& part : parts) left.push_back(part.relation.cofactor(here));
@@ -136,6 +140,7 @@ class Play {
     for (const std::size_t i : minimal_conflict(left)) {
       if (parts[i].clause == Part::no_clause) continue;
       const auto& list = i < first_safety ? game_.spec->sys_init : game_.spec->sys_safety;
+      defeat_.broken.push_back(list[parts[i].clause]);
       clauses += fmt::format("{}'{}'", clauses.empty() ? "" : " and ", clause_text(list[parts[i].clause]));
     }
     say(clauses.empty() ? "The system has no answer at all." : fmt::format("No answer keeps {}.", clauses));
@@ -187,6 +192,7 @@ class Play {
       memories.push_back({next[i], game_.updates[i].cofactor(both).is_true()});
     const Bdd after = input & game_.manager->cube(memories);
     choose(Owner::Input, input.current());
+    choose(Owner::Memory, after.current());
     say(fmt::format("Then the environment gives {}.", text(Owner::Input)));
     return respond((moves & announced_ & after).current(), game_.sys_safety, both & after, 0);
   }
@@ -202,6 +208,7 @@ class Play {
   void say_goal(std::size_t goal) {
     const std::size_t clause = game_.sys_justice[goal].clause;
     if (clause == Part::no_clause) return;
+    defeat_.goal = game_.spec->sys_justice[clause];
     say(fmt::format(
         "From here the environment can keep all its assumptions for ever and the system can still not meet "
         "'{}' again and again.",

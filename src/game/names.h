@@ -1,5 +1,6 @@
 #pragma once
 
+#include <heed/game/explain.h>
 #include <heed/game/game.h>
 
 #include <string>
@@ -11,8 +12,9 @@ namespace heed::game {
 [[nodiscard]] std::string clause_text(const spec::Clause& clause);
 /// The same, said to hold infinitely often.
 [[nodiscard]] std::string goal_text(const spec::Clause& clause);
-/// "a = true, n = 3": the values of \p owner's variables in \p assignment, indexed by diagram variable;
-/// current ones.
+/// The values of \p owner's variables in \p assignment, indexed by diagram variable; current ones.
+[[nodiscard]] Values values_of(const Game& game, Owner owner, const std::vector<bool>& assignment);
+/// "a = true, n = 3": the same as one text.
 [[nodiscard]] std::string values_text(const Game& game, Owner owner, const std::vector<bool>& assignment);
 
 }  // namespace heed::game

@@ -52,9 +52,7 @@ Result synthesize(const spec::Gr1& spec, util::Budget& budget, const Options& op
     result.machine = model::minimise(extracted.machine);
     statistics.minimise_seconds = watch.lap();
   } else if (!options.only_realizability) {
-    game::Defeat defeat = game::explain(game, region, budget);
-    result.counter =
-        CounterPlay{std::move(defeat.losing_initial), std::move(defeat.moves), std::move(defeat.reasons)};
+    result.counter = game::explain(game, region, budget);
   }
   statistics.bdd_nodes_peak = game.manager->statistics().peak_nodes;
   return result;

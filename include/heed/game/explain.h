@@ -3,10 +3,22 @@
 #include <heed/game/solve.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace heed::game {
+
+/// Values of variables by name, as they are printed, in the specification's order.
+using Values = std::vector<std::pair<std::string, std::string>>;
+
+/// One step of a play that the environment wins.
+struct Turn {
+  Values observation;  ///< What the environment gives.
+  Values memory;       ///< Where the play stands then: the plant's state and what is remembered.
+  Values answer;       ///< The system's; empty where it has none, in the last turn only.
+};
 
 /// Why the environment wins, in the specification's names.
 struct Defeat {
@@ -15,7 +27,10 @@ struct Defeat {
   std::vector<std::string>
       moves;  ///< The environment's first moves and the system's best answers, as sentences.
   std::vector<std::string>
-      reasons;  ///< Clauses of the system that cannot be kept together; empty if not found.
+      reasons;              ///< Clauses of the system that cannot be kept together; empty if not found.
+  std::vector<Turn> turns;  ///< The play behind `moves`.
+  std::vector<spec::Clause> broken;  ///< What no answer in the last turn keeps; empty where that is a goal.
+  std::optional<spec::Clause> goal;  ///< What can be kept from happening again after the last turn.
 };
 
 struct ExplainOptions {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <heed/game/explain.h>
 #include <heed/model/mealy.h>
 #include <heed/spec/gr1.h>
 #include <heed/util/limits.h>
@@ -32,11 +33,7 @@ struct Statistics {
 };
 
 /// Why the environment wins: a losing first step, and how it goes on (as far as there is a choice to show).
-struct CounterPlay {
-  std::string losing_initial;        ///< Such as "sign = false, red = true".
-  std::vector<std::string> moves;    ///< Sentences in the specification's names, step by step.
-  std::vector<std::string> reasons;  ///< Clauses that cannot be kept together, if found.
-};
+using CounterPlay = game::Defeat;
 
 struct Result {
   bool realizable = false;

@@ -46,6 +46,21 @@ TEST(Explain, FollowsThePlayToItsEnd) {
   EXPECT_THAT(found.reasons, ElementsAre("x' -> n' < n"));
 }
 
+// The same play as values, for whoever wants to tell it in other words.
+TEST(Explain, GivesThePlayAsValues) {
+  const Defeat found = defeat(
+      "[input]\nx : boolean\n[output]\nn : 0..1\n[env init]\n!x\n[sys safety]\nx' -> n' < n\n!x' -> n' <= "
+      "n\n");
+  ASSERT_EQ(found.turns.size(), 3U);
+  EXPECT_EQ(found.turns[0].observation, (Values{{"x", "false"}}));
+  EXPECT_EQ(found.turns[0].answer, (Values{{"n", "1"}}));
+  EXPECT_EQ(found.turns[1].answer, (Values{{"n", "0"}}));
+  EXPECT_TRUE(found.turns[2].answer.empty());
+  ASSERT_EQ(found.broken.size(), 1U);
+  EXPECT_EQ(found.broken[0].text, "x' -> n' < n");
+  EXPECT_FALSE(found.goal);
+}
+
 TEST(Explain, NamesTheGoalOutOfReach) {
   const Defeat found = defeat(
       "[input]\nx : boolean\n[output]\ny : boolean\n[sys safety]\ny' -> x'\ny' | !y\n[sys justice]\nx & "
