@@ -79,7 +79,8 @@ std::vector<AxiomText> axiom_texts(const Catalogue& catalogue, const std::vector
 }
 
 Explanation explain_formula(const Catalogue& catalogue, const SigmaFormula& formula) {
-  return {fmt::format("{} ({})", logic::to_string(formula.formula), to_string(formula.kind)),
+  return {fmt::format("{} ({})", logic::to_string(formula.formula, logic::Notation::Textbook),
+                      to_string(formula.kind)),
           true,
           {{formula.sentence, axiom_texts(catalogue, formula.axioms)}}};
 }
@@ -130,9 +131,11 @@ Explanation explain_recognition(const Catalogue& catalogue, const Recognition& r
     return {fmt::format("'{}' is never recognised by this policy ({})", label, recognition.words), false, {}};
   if (!derived(recognition, rule->name, seen)) {
     const auto lacks = missing(*rule, seen);
-    return {fmt::format("'{}' is not recognised", label),
-            false,
-            {{fmt::format("The nearest evidence lacks {}.", quoted_list(lacks)), {}}}};
+    Explanation result{fmt::format("'{}' is not recognised", label),
+                       false,
+                       {{fmt::format("The nearest evidence lacks {}.", quoted_list(lacks)), {}}}};
+    if (auto why = why_impossible(catalogue, recognition, entity, seen)) result.steps = {std::move(*why)};
+    return result;
   }
   const auto why =
       shrink(seen, [&](const std::set<std::string>& part) { return derived(recognition, rule->name, part); });

@@ -129,6 +129,7 @@ const char* Printer::sign(Op op) const {
       *std::find_if(std::begin(signs), std::end(signs), [op](const Sign& s) { return s.op == op; });
   switch (notation_) {
     case Notation::Ascii:
+    case Notation::Textbook:
       return found.ascii;
     case Notation::Unicode:
       return found.unicode;
@@ -152,7 +153,10 @@ bool is_postfix_next(const Formula& formula) {
 }
 
 void Printer::write(const Formula& formula, int level) {
-  const bool postfix = formula.op() == Op::Next && is_postfix_next(formula);
+  // Within a comparison or a sum the prime is all that binds tightly enough.
+  const bool prefix =
+      (notation_ == Notation::Textbook || notation_ == Notation::Unicode) && level <= bind_prefix;
+  const bool postfix = formula.op() == Op::Next && is_postfix_next(formula) && !prefix;
   const int own = postfix ? int{bind_postfix} : binding(formula.op());
   if (own < level) {
     out_ += '(';
@@ -188,7 +192,7 @@ void Printer::write_atom(const Formula& formula) {
 
 void Printer::write_prefix(const Formula& formula) {
   const bool again = formula.op() == Op::Always && formula[0].op() == Op::Eventually;
-  if (again && notation_ == Notation::Ascii) {
+  if (again && (notation_ == Notation::Ascii || notation_ == Notation::Textbook)) {
     out_ += "GF ";
     push(formula[0][0], bind_prefix);
     return;

@@ -19,8 +19,9 @@ namespace heed::logic {
 /// Prints so that parse() reads the same formula back: fewest parentheses, reserved names quoted.
 [[nodiscard]] std::string to_string(const Formula& formula);
 
-enum class Notation { Ascii, Unicode, Html, Latex };
-/// The same formula for people: ∧ ∨ ¬ → ○ □ ◇ (read back as well), HTML entities, or LaTeX math.
+enum class Notation { Ascii, Unicode, Html, Latex, Textbook };
+/// The same formula for people: ∧ ∨ ¬ → ○ □ ◇ (read back as well), HTML entities, LaTeX math, or Ascii as
+/// papers write it, `X halt` for `halt'`. Ascii and Latex keep the prime.
 [[nodiscard]] std::string to_string(const Formula& formula, Notation notation);
 
 }  // namespace heed::logic
