@@ -57,7 +57,20 @@ std::set<std::string> seen_symbols(const Arguments& arguments, const awareness::
   return seen;
 }
 
-/// An entity or behaviour by name; nothing when \p what is neither.
+/// Which things have a feature, and why.
+Explanation explain_feature(const awareness::Catalogue& catalogue, std::size_t feature) {
+  Explanation out;
+  out.subject = fmt::format("'{}' ({})", catalogue.features[feature].label, catalogue.features[feature].atom);
+  for (const awareness::Entity& entity : catalogue.entities)
+    for (const awareness::Entailed& has : entity.features)
+      if (has.index == feature)
+        out.steps.push_back(
+            {fmt::format("A '{}' has it.", entity.label), awareness::axiom_texts(catalogue, has.axioms)});
+  if (out.steps.empty()) out.steps.push_back({"Nothing in the catalogue has it.", {}});
+  return out;
+}
+
+/// An entity, behaviour or feature by name; nothing when \p what is none.
 std::optional<Explanation> explain_name(const awareness::Catalogue& catalogue, const std::string& what) {
   try {
     return awareness::explain_entity(catalogue, catalogue.entity(what));
@@ -65,6 +78,10 @@ std::optional<Explanation> explain_name(const awareness::Catalogue& catalogue, c
   }
   try {
     return awareness::explain_behaviour(catalogue, catalogue.behaviour(what));
+  } catch (const util::InputError&) {  // nor that: perhaps a feature
+  }
+  try {
+    return explain_feature(catalogue, catalogue.feature(what));
   } catch (const util::InputError&) {
     return std::nullopt;
   }
@@ -74,7 +91,8 @@ std::optional<Explanation> explain_name(const awareness::Catalogue& catalogue, c
   std::vector<std::string> known;
   for (const auto& entity : catalogue.entities) known.push_back(entity.atom);
   for (const auto& behaviour : catalogue.behaviours) known.push_back(behaviour.atom);
-  throw UsageError(fmt::format("nothing is called '{}': no entity, no behaviour, no formula", what),
+  for (const auto& feature : catalogue.features) known.push_back(feature.atom);
+  throw UsageError(fmt::format("nothing is called '{}': no entity, behaviour, feature or formula", what),
                    util::suggestion(what, known));
 }
 
@@ -83,6 +101,20 @@ std::vector<Explanation> explain_warnings(const awareness::Catalogue& catalogue)
   for (const awareness::Warning& warning : catalogue.warnings)
     all.push_back(explain_warning(catalogue, warning));
   return all;
+}
+
+/// Why a behaviour is prescribed; where it is not, what is missing for each thing that would prescribe it.
+Explanation why_prescribed(const awareness::Catalogue& catalogue, const awareness::Recognition& recognition,
+                           std::size_t behaviour, const std::set<std::string>& seen) {
+  Explanation out = awareness::explain_reaction(catalogue, recognition, behaviour, seen);
+  const awareness::PrescribedBehaviour* known = recognition.find_behaviour(behaviour);
+  if (out.holds || known == nullptr) return out;
+  for (const std::size_t entity : known->because) {
+    out.steps.push_back({fmt::format("'{}' would prescribe it.", catalogue.entities[entity].label), {}});
+    for (auto& step : awareness::explain_recognition(catalogue, recognition, entity, seen).steps)
+      out.steps.push_back(std::move(step));
+  }
+  return out;
 }
 
 Explanation explain_seen(const awareness::Catalogue& catalogue, const awareness::Recognition& recognition,
@@ -94,7 +126,7 @@ Explanation explain_seen(const awareness::Catalogue& catalogue, const awareness:
     } catch (const util::InputError&) {
       break;
     }
-    if (same) return awareness::explain_reaction(catalogue, recognition, b, seen);
+    if (same) return why_prescribed(catalogue, recognition, b, seen);
   }
   return awareness::explain_recognition(catalogue, recognition, catalogue.entity(what), seen);
 }

@@ -58,8 +58,10 @@ int run_command(const Arguments& arguments) {
     report::TextOptions how;
     how.details = arguments.has("--details");
     print(report::to_text(result, how));
-    print(fmt::format("\nReport: {0}/report.html (and report.json); controllers: {0}/*.controller.json\n",
-                      options.output));
+    const bool any = std::any_of(result.controllers.begin(), result.controllers.end(),
+                                 [](const report::Controller& c) { return !c.file.empty(); });
+    print(fmt::format("\nReport: {0}/report.html (and report.json); {1}: {0}/*.{2}\n", options.output,
+                      any ? "controllers" : "specifications", any ? "controller.json" : "gr1"));
   }
   return exit_code(result);
 }

@@ -2,6 +2,7 @@
 #include "inputs.h"
 #include "output.h"
 
+#include <heed/job/clashes.h>
 #include <heed/job/controller.h>
 #include <heed/logic/parse.h>
 #include <heed/owl/axiom.h>
@@ -35,7 +36,7 @@ Json sigma_json(const std::vector<awareness::SigmaFormula>& sigma) {
     Json one;
     one["id"] = formula.id;
     one["kind"] = std::string(awareness::to_string(formula.kind));
-    one["formula"] = logic::to_string(formula.formula);
+    one["formula"] = logic::to_string(formula.formula, logic::Notation::Textbook);
     one["sentence"] = formula.sentence;
     one["inherited"] = formula.inherited;
     one["axioms"] = Json::array();
@@ -54,10 +55,12 @@ int spec_command(const Arguments& arguments) {
   const auto chosen = chosen_controllers(arguments, scenario);
   if (arguments.has("--gr1") && chosen.size() != 1)
     throw UsageError("--gr1 prints one specification", "choose it with --controller NAME");
-  const auto notation = arguments.has("--unicode") ? logic::Notation::Unicode : logic::Notation::Ascii;
+  const auto notation = arguments.has("--unicode") ? logic::Notation::Unicode : logic::Notation::Textbook;
   Json documents = Json::array();
   for (const job::ControllerPart* part : chosen) {
-    const job::Design design = job::design(scenario, world, *part);
+    job::Design design = job::design(scenario, world, *part);
+    for (util::Diagnostic& note : job::settle_clashes(scenario, world, design, budget))
+      design.composed.notes.push_back(std::move(note));
     if (arguments.json()) {
       Json one;
       one["controller"] = part->name.text;

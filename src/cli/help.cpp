@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace heed::cli {
 namespace {
 
@@ -91,6 +93,20 @@ std::string man_page() {
   return out + fmt::format(".SH EXIT STATUS\n{}.\n", exit_codes);
 }
 
+/// "synth --on-violation" and the words that it takes, for options that take one of a few.
+std::string word_cases() {
+  std::string cases;
+  for (const Command& command : commands())
+    for (const Option& option : command.options) {
+      if (option.range.find('|') == std::string_view::npos) continue;
+      std::string choices(option.range);
+      std::replace(choices.begin(), choices.end(), '|', ' ');
+      cases += fmt::format("    \"{} {}\") COMPREPLY=($(compgen -W \"{}\" -- \"$current\")); return ;;\n",
+                           command.name, option.name, choices);
+    }
+  return cases;
+}
+
 std::string bash_completion() {
   std::string names, cases;
   for (const Command& command : commands()) {
@@ -105,10 +121,11 @@ std::string bash_completion() {
       "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n    COMPREPLY=($(compgen -W \"{}\" -- \"$current\"))\n    "
       "return\n  fi\n"
       "  case \"${{COMP_WORDS[1]}}\" in\n{}  esac\n"
+      "  case \"${{COMP_WORDS[1]}} ${{COMP_WORDS[COMP_CWORD-1]}}\" in\n{}  esac\n"
       "  case \"$current\" in\n    -*) COMPREPLY=($(compgen -W \"$words\" -- \"$current\")) ;;\n"
       "    *) COMPREPLY=($(compgen -f -- \"$current\")) ;;\n  esac\n}}\ncomplete -o filenames -F _heed "
       "heed\n",
-      names, cases);
+      names, cases, word_cases());
 }
 
 }  // namespace heed::cli

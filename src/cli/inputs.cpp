@@ -48,10 +48,10 @@ job::KnowledgePart knowledge_part(const Arguments& arguments, util::Budget& budg
   part.action_roles = words(arguments, "--action-roles");
   if (const auto role = words(arguments, "--subclass-role"); !role.empty()) part.subclass_role = role.front();
   const bool named = !part.entities.empty() || !part.features.empty() || !part.behaviours.empty();
-  if (!named) return job::guess_knowledge(path, arguments.limits(), budget, notes);
+  if (!named) return job::guess_knowledge(part, arguments.limits(), budget, notes);
   if (part.entities.empty() || part.features.empty() || part.behaviours.empty())
     throw UsageError("--entities, --features and --behaviours go together",
-                     "or leave all of them out, to have them guessed");
+                     "or leave all three out, to have them guessed");
   return part;
 }
 

@@ -4,6 +4,7 @@
 #include "table.h"
 
 #include <heed/util/diagnostic.h>
+#include <heed/util/file.h>
 #include <heed/util/limits.h>
 
 #include <fmt/format.h>
@@ -19,6 +20,26 @@ using namespace heed;
 
 constexpr int bad_input = 2, limit_reached = 3, internal_error = 4;
 
+/// With the line in question and a caret below it, where whoever threw did not have the text at hand.
+util::Diagnostic with_line(const util::Diagnostic& told) {
+  if (!told.excerpt.empty() || told.location.line == 0 || told.location.column == 0) return told;
+  try {
+    const util::SourceText file = util::read_file(std::string(told.location.file_name()));
+    std::size_t offset = 0;
+    for (std::uint32_t line = 1; line < told.location.line; ++line) {
+      offset = file.text().find('\n', offset);
+      if (offset++ == std::string::npos) return told;
+    }
+    util::Diagnostic shown =
+        util::InputError(file, std::min(offset + told.location.column - 1, file.text().size()), told.code,
+                         told.message, told.hint)
+            .diagnostic();
+    return shown.location == told.location ? shown : told;
+  } catch (const util::InputError&) {  // gone or unreadable by now: the message stands without it
+    return told;
+  }
+}
+
 /// A message in the form that was asked for: text to standard error, or the one JSON document to standard
 /// output.
 int fail(bool json, int code, const util::Diagnostic& diagnostic) {
@@ -28,7 +49,7 @@ int fail(bool json, int code, const util::Diagnostic& diagnostic) {
     out["exit_code"] = code;
     cli::print_json(out);
   } else {
-    fmt::print(stderr, "{}\n", util::to_string(diagnostic));
+    fmt::print(stderr, "{}\n", util::to_string(with_line(diagnostic)));
   }
   return code;
 }
@@ -76,11 +97,11 @@ const cli::Command* find(const std::string& name) {
   return found == commands.end() ? nullptr : &*found;
 }
 
-int unknown_command(const std::string& name) {
+int unknown_command(const std::string& name, bool json) {
   std::vector<std::string> names;
   for (const cli::Command& command : cli::commands()) names.emplace_back(command.name);
   return fail(
-      false, bad_input,
+      json, bad_input,
       plain("usage", fmt::format("there is no command '{}'", name), util::suggestion(name, names, 20)));
 }
 
@@ -94,11 +115,13 @@ int main(int argc, char** argv) {
     cli::print(command != nullptr ? cli::help(*command) : cli::help());
     return words.empty() ? bad_input : 0;
   }
+  const bool json = std::find(words.begin(), words.end(), "--json") != words.end();
+  if (words[0] == "--json" && words.size() > 1) std::rotate(words.begin(), words.begin() + 1, words.end());
   if (words[0] == "--version") words[0] = "version";
   if (words[0] == "--man") return cli::print(cli::man_page()), 0;
   if (words[0] == "--bash-completion") return cli::print(cli::bash_completion()), 0;
   const cli::Command* command = find(words[0]);
-  if (command == nullptr) return unknown_command(words[0]);
+  if (command == nullptr) return unknown_command(words[0], json);
   words.erase(words.begin());
   if (std::find_if(words.begin(), words.end(), [](const auto& w) { return w == "--help" || w == "-h"; }) !=
       words.end()) {

@@ -10,7 +10,8 @@ const std::vector<Option> knowledge_options{
     {"--features", "NAMES", "guessed", "comma-separated", "Roots of the features"},
     {"--behaviours", "NAMES", "guessed", "comma-separated", "Roots of the behaviours"},
     {"--feature-roles", "NAMES", "all", "comma-separated", "Roles that bind features; sub-roles count"},
-    {"--action-roles", "NAMES", "all", "comma-separated", "Roles that bind behaviours; sub-roles count"},
+    {"--action-roles", "NAMES", "all", "comma-separated",
+     "Roles that bind behaviours; sub-roles count; given alone, the rest is guessed"},
     {"--subclass-role", "NAME", "", "", "Role between individuals that means \"is a kind of\""}};
 
 std::vector<Option> with_knowledge(std::vector<Option> options) {
@@ -47,9 +48,9 @@ std::vector<Command> scenario_commands() {
        "heed kb examples/stop-sign/traffic-signs.owl",
        kb_command},
       {"explain",
-       "Trace an entity, a behaviour, a formula or a reaction back to axioms",
+       "Trace an entity, a behaviour, a feature, a formula or a reaction back to axioms",
        {{"SOURCE", "Scenario or OWL file"},
-        {"WHAT", "Entity, behaviour or formula (k3); default: every warning", false}},
+        {"WHAT", "Entity, behaviour, feature or formula (k3); default: every warning", false}},
        with_knowledge({controller_option,
                        {"--seen", "SYMBOLS", "", "comma-separated",
                         "What is perceived: why is WHAT recognised or prescribed then"}}),

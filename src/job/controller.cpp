@@ -1,4 +1,7 @@
+#include "named_file.h"
+
 #include <heed/awareness/explain.h>
+#include <heed/job/clashes.h>
 #include <heed/job/controller.h>
 #include <heed/logic/parse.h>
 #include <heed/util/file.h>
@@ -56,6 +59,7 @@ awareness::PerceptionOptions perception_options(const PerceptionPart& part,
 awareness::PolicyOptions policy_options(const ControllerPart& part) {
   awareness::PolicyOptions options;
   options.kind = *awareness::read_policy(part.policy.text);
+  options.location = part.policy.location;
   options.entities = names(part.entities);
   options.over = names(part.over);
   options.order = names(part.order);
@@ -103,8 +107,11 @@ model::Variable variable_of(const awareness::PerceptionInput& input) {
 
 void add_perception(const PerceptionPart& part, const awareness::Perception& perception,
                     spec::Composition& parts) {
-  for (const awareness::PerceptionInput& input : perception.inputs)
+  for (const awareness::PerceptionInput& input : perception.inputs) {
     parts.inputs.push_back(variable_of(input));
+    for (const InputPart& written : part.inputs)
+      if (written.name == input.name) parts.inputs.back().location = written.what.location;
+  }
   if (part.blank_first) parts.first_observation.emplace(parts.inputs.size(), 0);
   if (part.persistent)
     for (const auto& [atom, meaning] : perception.symbols) {
@@ -164,20 +171,16 @@ void add_recognition(const World& world, const awareness::Recognition& recogniti
 /// A bound behaviour that nothing recognised prescribes is never prescribed; the binding still stands.
 void add_bindings(const Scenario& scenario, const World& world, const awareness::Recognition& recognition,
                   spec::Composition& parts) {
-  const awareness::Catalogue& catalogue = world.knowledge.catalogue;
-  for (const BindingPart& binding : scenario.bindings) {
-    const std::size_t behaviour =
-        catalogue.behaviour(awareness::Name(binding.behaviour.text, binding.behaviour.location));
-    const awareness::PrescribedBehaviour* found = recognition.find_behaviour(behaviour);
-    std::string name = found != nullptr ? found->name : "prescribed_" + catalogue.behaviours[behaviour].atom;
-    if (found == nullptr)
-      parts.definitions.push_back(
-          {name,
-           logic::truth(false),
-           model::OutputRole::Prescribed,
-           catalogue.behaviours[behaviour].label + ": nothing recognised here prescribes it",
-           {}});
-    parts.bindings.push_back({std::move(name), binding.effect.formula, binding.effect.text});
+  const std::vector<Precedence> found = precedences(scenario, world, recognition);
+  for (std::size_t b = 0; b < scenario.bindings.size(); ++b) {
+    const BindingPart& binding = scenario.bindings[b];
+    if (!found[b].prescribed)
+      parts.definitions.push_back({found[b].name,
+                                   logic::truth(false),
+                                   model::OutputRole::Prescribed,
+                                   binding.behaviour.text + ": nothing recognised here prescribes it",
+                                   {}});
+    parts.bindings.push_back({found[b].name, binding.effect.formula, binding.effect.text, found[b].unless});
   }
   parts.only_when_prescribed = scenario.only_when_prescribed;
 }
@@ -202,8 +205,9 @@ World load_world(const Scenario& scenario, const util::Limits& limits, util::Bud
   world.knowledge = load_knowledge(scenario.knowledge, limits, budget);
   refuse_unsatisfiable(world.knowledge, scenario.knowledge);
   const PlantPart& plant = scenario.plant;
-  world.plant =
-      model::read_fts(plant.path.empty() ? plant.text : util::read_file(plant.path, limits), limits);
+  const auto plant_file = [&] { return util::read_file(plant.path.text, limits); };
+  world.plant = model::read_fts(
+      plant.path.text.empty() ? plant.text : named_in_scenario(plant.path, plant_file), limits);
   world.initial_states = initial_states(plant, world.plant);
   world.perception = perceive(scenario.perception, world.knowledge.catalogue);
   return world;

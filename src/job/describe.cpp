@@ -1,5 +1,7 @@
 #include "describe.h"
 
+#include "defeat.h"
+
 #include <heed/awareness/explain.h>
 #include <heed/logic/parse.h>
 #include <heed/owl/ontology.h>
@@ -91,7 +93,7 @@ std::vector<report::KnowledgeFormula> describe_sigma(const World& world, const D
   std::vector<report::KnowledgeFormula> out;
   for (const awareness::SigmaFormula& formula : design.sigma)
     out.push_back({formula.id, std::string(awareness::to_string(formula.kind)),
-                   logic::to_string(formula.formula), formula.sentence,
+                   logic::to_string(formula.formula, logic::Notation::Textbook), formula.sentence,
                    describe_axioms(world.knowledge.catalogue, formula.axioms)});
   return out;
 }
@@ -109,7 +111,7 @@ std::vector<report::SpecificationSection> describe_specification(const spec::Gr1
   return sections;
 }
 
-report::Controller describe_controller(const ControllerPart& part, const Design& design,
+report::Controller describe_controller(const World& world, const ControllerPart& part, const Design& design,
                                        const Synthesized& done) {
   report::Controller out;
   out.name = part.name.text;
@@ -122,12 +124,7 @@ report::Controller describe_controller(const ControllerPart& part, const Design&
   out.relies_on_broken_justice = done.result.relies_on_broken_justice;
   if (!done.result.realizable) {
     out.verdict = report::Verdict::Unrealizable;
-    if (done.result.counter) {
-      out.reasons.push_back("The environment wins from: " + done.result.counter->losing_initial);
-      for (const std::string& move : done.result.counter->moves) out.reasons.push_back(move);
-      for (const std::string& reason : done.result.counter->reasons)
-        out.reasons.push_back("cannot be kept together with the others: " + reason);
-    }
+    if (done.result.counter) out.reasons = describe_defeat(world, *done.result.counter);
     return out;
   }
   out.states = done.result.machine->state_count();

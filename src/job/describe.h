@@ -10,8 +10,8 @@ namespace heed::job {
                                                  const std::vector<const Design*>& designs);
 [[nodiscard]] std::vector<report::KnowledgeFormula> describe_sigma(const World& world, const Design& design);
 [[nodiscard]] std::vector<report::SpecificationSection> describe_specification(const spec::Gr1& spec);
-[[nodiscard]] report::Controller describe_controller(const ControllerPart& part, const Design& design,
-                                                     const Synthesized& synthesized);
+[[nodiscard]] report::Controller describe_controller(const World& world, const ControllerPart& part,
+                                                     const Design& design, const Synthesized& synthesized);
 [[nodiscard]] report::CatalogueEntry describe_entity(const Scenario& scenario, const World& world,
                                                      std::size_t entity);
 [[nodiscard]] std::vector<std::string> describe_method(const Scenario& scenario, const World& world);

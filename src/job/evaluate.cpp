@@ -1,4 +1,5 @@
 #include <heed/job/evaluate.h>
+#include <heed/logic/parse.h>
 #include <heed/spec/compose.h>
 #include <heed/util/diagnostic.h>
 
@@ -88,18 +89,51 @@ std::uint32_t machine_input(const model::Mealy& machine, const std::string& name
                          "it was synthesized for another scenario");
 }
 
+/// What the plant brings into formulas beside `state` and `action`.
+std::vector<std::string> plant_names(const model::Fts& plant) {
+  std::vector<std::string> names;
+  for (const auto& [name, states] : plant.labels) names.push_back(name);
+  for (const auto& [name, values] : plant.values) names.push_back(name);
+  return names;
+}
+
+/// The event, then the condition of each outcome, as the scenario has them.
+std::vector<logic::Formula> judged(const EvaluatePart& part) {
+  std::vector<logic::Formula> formulas{part.event.formula};
+  for (const OutcomePart& outcome : part.outcomes)
+    formulas.push_back(outcome.when ? outcome.when->formula : logic::truth(true));
+  return formulas;
+}
+
+/// Told in the user's words, before the plant's labels are replaced by what they mean.
+void refuse_temporal(const logic::Formula& formula) {
+  for (const logic::Formula& node : logic::postorder(formula))
+    if (node.op() > logic::Op::Next)
+      throw util::InputError(
+          node.location(), "temporal",
+          fmt::format("'{}' cannot be decided in one step", logic::to_string(node)),
+          "events and outcomes speak of one step; X may stand before what holds of the plant");
+}
+
 }  // namespace
+
+void check_evaluate(const Scenario& scenario, const World& world, const Design& design) {
+  if (!scenario.evaluate) return;
+  model::Mealy shell;
+  shell.name = design.composed.spec.name;
+  shell.inputs = design.composed.spec.inputs;
+  shell.outputs = spec::controller_outputs(design.composed.spec);
+  for (const logic::Formula& formula : judged(*scenario.evaluate)) refuse_temporal(formula);
+  (void)make_judge(scenario, world, shell, false);
+}
 
 sim::Judge make_judge(const Scenario& scenario, const World& world, const model::Mealy& machine,
                       bool never_apart) {
   const EvaluatePart& part = *scenario.evaluate;
-  const auto expand = [&](const logic::Formula& formula) {
-    return spec::expand_plant(world.perception.over_inputs(formula), world.plant);
-  };
-  std::vector<logic::Formula> formulas{expand(part.event.formula)};
-  for (const OutcomePart& outcome : part.outcomes)
-    formulas.push_back(outcome.when ? expand(outcome.when->formula) : logic::truth(true));
-  const auto holds = hold_at_transitions(formulas, machine);
+  std::vector<logic::Formula> formulas = judged(part);
+  for (logic::Formula& formula : formulas)
+    formula = spec::expand_plant(world.perception.over_inputs(formula), world.plant);
+  const auto holds = hold_at_transitions(formulas, machine, plant_names(world.plant));
   sim::Judge judge;
   for (const OutcomePart& outcome : part.outcomes) judge.categories.push_back(outcome.label);
   judge.never = static_cast<std::uint32_t>(part.rest);

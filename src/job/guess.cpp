@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace heed::job {
@@ -21,10 +22,16 @@ namespace {
 
 using owl::Iri;
 
-bool names_action(std::string_view local) {
+std::string lower_case(std::string_view text) {
   std::string lower;
-  for (const char c : local) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const char* word : {"action", "behavio", "prescri", "requires", "oblig"})
+  for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
+bool names_action(std::string_view local) {
+  const std::string lower = lower_case(local);
+  for (const char* word :
+       {"action", "behavio", "prescri", "requires", "oblig", "callsfor", "calls_for", "demand"})
     if (lower.find(word) != std::string::npos) return true;
   return false;
 }
@@ -109,55 +116,155 @@ std::string listed(const owl::Ontology& ontology, const std::vector<Word>& words
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// What an ontology is guessed to be made of; classes or, where it only speaks of these, individuals.
+struct Guess {
+  std::vector<Iri> entities, features, behaviours, feature_roles, action_roles;
+  std::optional<Iri> subclass_role;
+
+  [[nodiscard]] bool whole() const { return !entities.empty() && !feature_roles.empty(); }
+};
+
+/// Whether a role binds what is prescribed: as told, else by its name.
+class ActionRoles {
+ public:
+  ActionRoles(const owl::Ontology& ontology, const std::vector<Word>& told) : ontology_(ontology) {
+    for (const Word& word : told) told_.insert(word.text);
+  }
+  [[nodiscard]] bool operator()(Iri role) const {
+    const std::string local(ontology_.local_name(role));
+    if (told_.empty()) return names_action(local);
+    return told_.contains(local) || told_.contains(std::string(ontology_.text(role)));
+  }
+
+ private:
+  const owl::Ontology& ontology_;
+  std::set<std::string> told_;
+};
+
+Guess guess_from_classes(const dl::Reasoner& reasoner, const Uses& uses, const ActionRoles& prescribes) {
+  Guess guess;
+  std::set<Iri> prescribers, behaviours, features;
+  for (const auto& [role, use] : uses)
+    if (prescribes(role)) {
+      guess.action_roles.push_back(role);
+      add_fillers(reasoner, use, behaviours);
+      prescribers.insert(use.described.begin(), use.described.end());
+    }
+  guess.entities = roots_of(reasoner, prescribers);
+  if (guess.entities.empty()) return guess;
+  guess.entities.resize(1);
+  const auto about_entity = [&](Iri iri) { return topmost(reasoner, iri) == guess.entities.front(); };
+  for (const auto& [role, use] : uses) {
+    if (prescribes(role)) continue;
+    if (!std::any_of(use.described.begin(), use.described.end(), about_entity)) continue;
+    guess.feature_roles.push_back(role);
+    add_fillers(reasoner, use, features);
+  }
+  guess.features = roots_of(reasoner, features);
+  guess.behaviours = roots_of(reasoner, behaviours);
+  return guess;
+}
+
+bool names_subclass(std::string_view local) {
+  const std::string lower = lower_case(local);
+  return lower == "isa" || lower == "is_a" || lower.find("subclass") != std::string::npos ||
+         lower.find("kindof") != std::string::npos || lower.find("kind_of") != std::string::npos;
+}
+
+/// Things that are modelled as individuals with role assertions: `hasColor(yield, red)`.
+Guess guess_from_individuals(const owl::Ontology& ontology, const dl::Reasoner& reasoner,
+                             const ActionRoles& prescribes) {
+  Uses uses;
+  Guess guess;
+  std::set<Iri> below, things, features, behaviours;
+  for (const owl::Axiom& axiom : ontology.axioms()) {
+    const auto* said = axiom.as<owl::ObjectPropertyAssertion>();
+    if (said == nullptr || said->negative || said->property.inverse) continue;
+    if (names_subclass(ontology.local_name(said->property.iri))) {
+      guess.subclass_role = said->property.iri;
+      below.insert(said->source);
+      things.insert(said->target);
+    } else {
+      uses[said->property.iri].described.insert(said->source);
+      uses[said->property.iri].individuals.insert(said->target);
+    }
+  }
+  for (const auto& [role, use] : uses) {
+    (prescribes(role) ? guess.action_roles : guess.feature_roles).push_back(role);
+    add_fillers(reasoner, use, prescribes(role) ? behaviours : features);
+    things.insert(use.described.begin(), use.described.end());
+  }
+  if (guess.action_roles.empty()) return {};
+  for (const Iri thing : things)
+    if (!below.contains(thing)) guess.entities.push_back(thing);
+  guess.features.assign(features.begin(), features.end());
+  guess.behaviours.assign(behaviours.begin(), behaviours.end());
+  return guess;
+}
+
+/// What to choose from, for whoever has to name the roots.
+std::string choices(const owl::Ontology& ontology, const dl::Reasoner& reasoner, const Uses& uses) {
+  std::set<Iri> tops;
+  std::vector<Iri> roles;
+  for (const auto& [role, use] : uses) {
+    roles.push_back(role);
+    for (const auto* classes : {&use.described, &use.fillers})
+      for (const Iri iri : *classes)
+        if (const auto top = topmost(reasoner, iri)) tops.insert(*top);
+  }
+  if (roles.empty()) return "no class is described by a role; such as --entities Sign --features Colour ...";
+  return fmt::format(
+      "say which role prescribes, --action-roles NAME, or name all roots: --entities, --features, "
+      "--behaviours "
+      "(roles: {}; topmost classes: {})",
+      listed(ontology, words_of(ontology, roles)),
+      listed(ontology, words_of(ontology, {tops.begin(), tops.end()})));
+}
+
+KnowledgePart part_of(const owl::Ontology& ontology, const KnowledgePart& known, const Guess& guess) {
+  KnowledgePart part = known;
+  part.allow_missing_imports = true;
+  part.entities = words_of(ontology, guess.entities);
+  part.features = words_of(ontology, guess.features);
+  part.behaviours = words_of(ontology, guess.behaviours);
+  part.feature_roles = words_of(ontology, guess.feature_roles);
+  part.action_roles = words_of(ontology, guess.action_roles);
+  if (!part.subclass_role && guess.subclass_role)
+    part.subclass_role = words_of(ontology, {*guess.subclass_role}).front();
+  return part;
+}
+
 }  // namespace
 
-KnowledgePart guess_knowledge(const std::string& path, const util::Limits& limits, util::Budget& budget,
+KnowledgePart guess_knowledge(const KnowledgePart& known, const util::Limits& limits, util::Budget& budget,
                               util::Diagnostics& notes) {
   util::Diagnostics ignored;
   owl::ImportOptions imports;
   imports.allow_missing = true;
+  const std::string& path = known.ontology.text;
   const owl::Ontology ontology = owl::load(path, imports, limits, ignored);
   const dl::Reasoner reasoner(ontology, budget);
-  std::set<Iri> prescribers, described, behaviours, features;
-  std::vector<Iri> action_roles, feature_roles;
   const Uses uses = uses_of_roles(ontology);
-  for (const auto& [role, use] : uses)
-    if (names_action(ontology.local_name(role))) {
-      action_roles.push_back(role);
-      add_fillers(reasoner, use, behaviours);
-      prescribers.insert(use.described.begin(), use.described.end());
-    }
-  std::vector<Iri> entities = roots_of(reasoner, prescribers);
-  if (entities.size() > 1) entities.resize(1);
-  for (const auto& [role, use] : uses) {
-    if (names_action(ontology.local_name(role))) continue;
-    const auto about_entity = [&](Iri iri) { return topmost(reasoner, iri) == entities.front(); };
-    if (entities.empty() || !std::any_of(use.described.begin(), use.described.end(), about_entity)) continue;
-    feature_roles.push_back(role);
-    add_fillers(reasoner, use, features);
-  }
+  const ActionRoles prescribes(ontology, known.action_roles);
+  Guess guess = guess_from_classes(reasoner, uses, prescribes);
+  if (!guess.whole()) guess = guess_from_individuals(ontology, reasoner, prescribes);
   const util::Location whole{std::make_shared<const std::string>(path), 0, 0};
-  if (entities.empty() || feature_roles.empty())
-    throw util::InputError(
-        whole, "no-roots", "cannot tell which classes are entities, features and behaviours",
-        "name them: --entities, --features, --behaviours, --feature-roles, --action-roles");
-  KnowledgePart part;
-  part.ontology = {path, {}};
-  part.allow_missing_imports = true;
-  part.entities = words_of(ontology, entities);
-  part.features = words_of(ontology, roots_of(reasoner, features));
-  part.behaviours = words_of(ontology, roots_of(reasoner, behaviours));
-  part.feature_roles = words_of(ontology, feature_roles);
-  part.action_roles = words_of(ontology, action_roles);
+  if (!guess.whole())
+    throw util::InputError(whole, "no-roots",
+                           "cannot tell which classes are entities, features and behaviours",
+                           choices(ontology, reasoner, uses));
+  KnowledgePart part = part_of(ontology, known, guess);
   notes.push_back(
       {util::Severity::Note,
        whole,
        "guessed-roots",
        fmt::format(
-           "taken from its structure: entities below {}; features below {} by {}; behaviours below {} by {}",
+           "taken from its structure: entities below {}; features below {} by {}; behaviours below {} by "
+           "{}{}",
            listed(ontology, part.entities), listed(ontology, part.features),
            listed(ontology, part.feature_roles), listed(ontology, part.behaviours),
-           listed(ontology, part.action_roles)),
+           listed(ontology, part.action_roles),
+           part.subclass_role ? "; 'is a kind of' is " + listed(ontology, {*part.subclass_role}) : ""),
        "give a scenario, or name them with --entities and so on",
        {}});
   return part;

@@ -1,3 +1,5 @@
+#include "named_file.h"
+
 #include <heed/awareness/explain.h>
 #include <heed/job/knowledge.h>
 #include <heed/owl/print.h>
@@ -43,7 +45,9 @@ void note_incomplete(const dl::Reasoner& reasoner, util::Diagnostics& diagnostic
 
 util::Diagnostic as_diagnostic(const awareness::Catalogue& catalogue, const awareness::Warning& warning) {
   util::Diagnostic diagnostic{util::Severity::Warning, {}, warning.code, warning.message, {}, {}};
-  if (!warning.axioms.empty())
+  // What is impossible is told at its own place: the axioms behind it may stand anywhere.
+  const bool of_thing = warning.code == "unsatisfiable-entity" && !warning.entities.empty();
+  if (!warning.axioms.empty() && !of_thing)
     diagnostic.location = catalogue.ontology.axiom(warning.axioms.front()).location;
   else if (!warning.entities.empty())
     diagnostic.location = catalogue.entities[warning.entities.front()].location;
@@ -57,7 +61,8 @@ Knowledge load_knowledge(const KnowledgePart& part, const util::Limits& limits, 
   owl::ImportOptions imports;
   imports.mapping = part.imports;
   imports.allow_missing = part.allow_missing_imports;
-  knowledge.ontology = owl::load(part.ontology.text, imports, limits, knowledge.diagnostics);
+  knowledge.ontology = named_in_scenario(
+      part.ontology, [&] { return owl::load(part.ontology.text, imports, limits, knowledge.diagnostics); });
   knowledge.reasoner = std::make_shared<const dl::Reasoner>(knowledge.ontology, budget);
   note_incomplete(*knowledge.reasoner, knowledge.diagnostics);
   knowledge.catalogue = awareness::build_catalogue(*knowledge.reasoner, catalogue_options(part), budget);

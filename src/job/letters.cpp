@@ -27,14 +27,16 @@ struct Place {
 
 class LetterFormula {
  public:
-  LetterFormula(const Formula& formula, const model::Mealy& machine)
-      : machine_(machine), nodes_(logic::postorder(formula)) {
+  LetterFormula(const Formula& formula, const model::Mealy& machine, const std::vector<std::string>& replaced)
+      : machine_(machine), replaced_(replaced), nodes_(logic::postorder(formula)) {
     for (std::size_t i = 0; i < nodes_.size(); ++i) index_[nodes_[i].identity()] = i;
     places_.resize(nodes_.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (nodes_[i].op() == Op::Name) places_[i] = place(nodes_[i]);
-    for (const Formula& node : nodes_)
+    for (const Formula& node : nodes_) {
+      if (node.op() >= Op::Next) refuse_temporal(node);
       if (node.op() >= Op::Eq && node.op() <= Op::Ge) resolve_values(node);
+    }
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (nodes_[i].op() == Op::Name && places_[i].kind == Place::Kind::Operand) unknown(nodes_[i]);
   }
@@ -46,6 +48,13 @@ class LetterFormula {
   }
 
  private:
+  [[noreturn]] static void refuse_temporal(const Formula& node) {
+    throw util::InputError(
+        node.location(), "temporal",
+        fmt::format("'{}' cannot be decided in one step", logic::to_string(node)),
+        "events and outcomes speak of one step; X may stand before what holds of the plant");
+  }
+
   [[nodiscard]] Place place(const Formula& name) const {
     for (std::size_t i = 0; i < machine_.outputs.size(); ++i)
       if (machine_.outputs[i].variable.name == name.name()) return {Place::Kind::Output, i, 0};
@@ -80,9 +89,12 @@ class LetterFormula {
     std::vector<std::string> known;
     for (const model::Variable& v : machine_.inputs) known.push_back(v.name);
     for (const model::Output& o : machine_.outputs) known.push_back(o.variable.name);
-    throw util::InputError(name.location(), "unknown-symbol",
-                           fmt::format("the controller '{}' has no column '{}'", machine_.name, name.name()),
-                           util::suggestion(name.name(), known));
+    for (const std::string& other : replaced_)
+      if (std::find(known.begin(), known.end(), other) == known.end()) known.push_back(other);
+    throw util::InputError(
+        name.location(), "unknown-symbol",
+        fmt::format("nothing is called '{}' in the controller '{}'", name.name(), machine_.name),
+        util::suggestion(name.name(), known, 20));
   }
 
   [[nodiscard]] std::int64_t operand(std::size_t node, std::size_t i) const {
@@ -129,10 +141,6 @@ class LetterFormula {
 
   [[nodiscard]] std::int64_t binary(std::size_t i) const {
     const Formula& node = nodes_[i];
-    if (node.operands().size() != 2)
-      throw util::InputError(node.location(), "temporal",
-                             fmt::format("'{}' cannot be decided in one step", logic::to_string(node)),
-                             "an event is a formula over one step; X may stand before plant propositions");
     const std::int64_t a = operand(i, 0), b = operand(i, 1);
     switch (node.op()) {
       case Op::Iff:
@@ -158,11 +166,11 @@ class LetterFormula {
       default:
         break;
     }
-    throw util::InputError(node.location(), "temporal",
-                           fmt::format("'{}' cannot be decided in one step", logic::to_string(node)));
+    return 0;  // the constructor refused everything else
   }
 
   const model::Mealy& machine_;
+  const std::vector<std::string>& replaced_;
   std::vector<Formula> nodes_;
   std::unordered_map<const void*, std::size_t> index_;
   std::vector<Place> places_;
@@ -172,11 +180,12 @@ class LetterFormula {
 }  // namespace
 
 std::vector<std::vector<bool>> hold_at_transitions(const std::vector<Formula>& formulas,
-                                                   const model::Mealy& machine) {
+                                                   const model::Mealy& machine,
+                                                   const std::vector<std::string>& replaced) {
   std::vector<std::vector<bool>> result(formulas.size(),
                                         std::vector<bool>(machine.transitions.size(), false));
   for (std::size_t f = 0; f < formulas.size(); ++f) {
-    LetterFormula formula(formulas[f], machine);
+    LetterFormula formula(formulas[f], machine, replaced);
     std::unordered_map<std::uint64_t, bool> known;  // by pair of letters; only looked up, never walked
     for (std::size_t t = 0; t < machine.transitions.size(); ++t) {
       const auto& row = machine.transitions[t];

@@ -1,6 +1,8 @@
 #include "describe.h"
+#include "plant_values.h"
 #include "staging.h"
 
+#include <heed/job/clashes.h>
 #include <heed/job/evaluate.h>
 #include <heed/job/run.h>
 #include <heed/job/version.h>
@@ -70,6 +72,7 @@ class Job {
     world_ =
         stages_("read and classify", 0, [&] { return load_world(scenario_, budget_.limits(), budget_); });
     fill_frame();
+    add_notes(impossible_values(scenario_, world_.plant));
     for (const ControllerPart& part : scenario_.controllers) make_controller(part);
     describe_knowledge();
     if (scenario_.evaluate && !scenario_.profiles.empty()) evaluate_all();
@@ -90,13 +93,14 @@ class Job {
     result_.description = scenario_.description;
     result_.command = options_.command;
     result_.inputs = {{"scenario", scenario_.path}, {"ontology", scenario_.knowledge.ontology.text}};
-    if (!scenario_.plant.path.empty()) result_.inputs.push_back({"plant", scenario_.plant.path});
+    if (!scenario_.plant.path.text.empty()) result_.inputs.push_back({"plant", scenario_.plant.path.text});
     result_.warnings = world_.knowledge.diagnostics;
     for (const util::Diagnostic& note : world_.perception.notes) result_.warnings.push_back(note);
     result_.method = describe_method(scenario_, world_);
     result_.versions = {{"heed", version()}};
     if (!scenario_.evaluate) return;
     result_.thing = scenario_.evaluate->thing;
+    result_.kind = scenario_.evaluate->kind;
     result_.miss_label = scenario_.evaluate->outcomes[scenario_.evaluate->miss].label;
     result_.seed = options_.seed.value_or(scenario_.evaluate->seed);
     result_.confidence = scenario_.evaluate->confidence;
@@ -110,10 +114,12 @@ class Job {
     Candidate candidate{&part, {}, {}, std::nullopt};
     const double progress = progress_of(candidates_.size());
     candidate.design = stages_("compose", progress, [&] { return design(scenario_, world_, part); });
+    check_evaluate(scenario_, world_, candidate.design);
+    add_notes(settle_clashes(scenario_, world_, candidate.design, budget_));
     candidate.done = stages_("synthesize and verify " + part.name.text, progress, [&] {
       return synthesize(candidate.design, scenario_.perception.on_violation, budget_);
     });
-    report::Controller described = describe_controller(part, candidate.design, candidate.done);
+    report::Controller described = describe_controller(world_, part, candidate.design, candidate.done);
     staging_.write(part.name.text + ".gr1", spec::write_gr1(candidate.design.composed.spec));
     if (described.verdict == report::Verdict::Verified) {
       described.file = part.name.text + ".controller.json";
@@ -182,7 +188,7 @@ class Job {
               stages_("evaluate", 0.6, [&] { return chart(profile, candidate, entity); }));
     }
     stages_("drive past the catalogue", 0.8, [&] { return drive_past_everything(), 0; });
-    fill_speed(entity);
+    if (scenario_.evaluate->speed_wanted) fill_speed(entity);
   }
 
   [[nodiscard]] report::Chart chart(const ProfilePart& profile, const Candidate& candidate,
@@ -240,7 +246,7 @@ class Job {
       result_.catalogue.push_back(describe_entity(scenario_, world_, e));
       drive_past(result_.catalogue.back(), e, known);
     }
-    result_.catalogue.push_back({"", "the open road"});
+    result_.catalogue.push_back({"", "nothing there"});
     drive_past(result_.catalogue.back(), std::nullopt, known);
   }
 

@@ -92,11 +92,14 @@ PlantPart read_plant(TomlTable table, const std::string& base) {
   const bool inline_text = table.has("text");
   if (inline_text == table.has("fts"))
     throw util::InputError(table.location(), "missing-key",
-                           "[plant] needs exactly one of 'fts' (a file) and 'text'");
-  if (inline_text)
+                           "[plant] needs exactly one of 'fts' (a file) and 'text'",
+                           "such as fts = \"car.fts\" (docs/formats/fts.md)");
+  if (inline_text) {
     part.text = table.source("text");
-  else
-    part.path = util::resolve_path(base, table.word("fts").text);
+  } else {
+    part.path = table.word("fts");
+    part.path.text = util::resolve_path(base, part.path.text);
+  }
   part.initial = table.words("initial");
   table.finish();
   return part;
@@ -104,8 +107,9 @@ PlantPart read_plant(TomlTable table, const std::string& base) {
 
 void read_bindings(TomlTable table, Scenario& scenario, const util::Limits& limits) {
   scenario.only_when_prescribed = table.flag("only_when_prescribed", false);
+  scenario.priority = table.words("priority");
   for (const std::string& key : table.keys()) {
-    if (key == "only_when_prescribed") continue;
+    if (key == "only_when_prescribed" || key == "priority") continue;
     const util::Location where = table.location_of(key);
     scenario.bindings.push_back({{key, where}, read_formula(table.source(key), limits)});
   }
@@ -161,6 +165,10 @@ std::vector<OutcomePart> read_outcomes(TomlTable& table, const util::Limits& lim
     OutcomePart outcome{item.word("label").text, std::nullopt};
     if (item.has("when")) outcome.when = read_formula(item.source("when"), limits);
     item.finish();
+    if (std::any_of(outcomes.begin(), outcomes.end(),
+                    [&](const auto& o) { return o.label == outcome.label; }))
+      item.fail("label", "duplicate-name", fmt::format("two outcomes are called '{}'", outcome.label),
+                "join the two with '|', or give one another label");
     outcomes.push_back(std::move(outcome));
   }
   return outcomes;
@@ -173,7 +181,8 @@ std::size_t rest_of(const TomlTable& table, const std::vector<OutcomePart>& outc
     table.fail(
         "outcomes", "bad-outcomes",
         fmt::format("exactly one outcome must lack 'when' (it is for the rest and for \"never\"), found {}",
-                    rest));
+                    rest),
+        "such as { label = \"missed\" }");
   return static_cast<std::size_t>(
       std::find_if(outcomes.begin(), outcomes.end(), [](const auto& o) { return !o.when; }) -
       outcomes.begin());
@@ -195,12 +204,14 @@ EvaluatePart read_evaluate(TomlTable table, const util::Limits& limits) {
     part.miss = static_cast<std::size_t>(found - part.outcomes.begin());
   }
   part.thing = table.text("thing", part.thing);
+  part.kind = table.text("kind", part.kind);
   part.approached = table.optional_word("approached");
   part.traces = static_cast<std::uint64_t>(table.integer("traces", 10'000, 0, 1'000'000'000'000));
   part.seed = static_cast<std::uint64_t>(table.integer("seed", 1, 0, INT64_MAX));
   part.confidence = table.real("confidence", 0.95, 0, 1);
   part.must_react = table.words("must_react");
   part.may_react = table.words("may_react");
+  part.speed_wanted = table.has("cell_metres") || table.has("speed_kmh");
   part.cell_metres = table.real("cell_metres", 10, 0, 1e6);
   part.speed_kmh = table.real("speed_kmh", 50, 0, 1e4);
   table.finish();
@@ -221,6 +232,8 @@ void refuse_twice(const std::vector<Part>& parts, const Part& next, const Word& 
 Scenario read_scenario(const util::SourceText& source, const util::Limits& limits) {
   const toml::table parsed = parse_toml(source);
   TomlTable root(parsed, std::make_shared<const std::string>(source.name()), "");
+  root.allow({"name", "description", "knowledge", "perception", "plant", "task", "bind", "controller",
+              "profile", "evaluate"});
   Scenario scenario;
   scenario.path = source.name();
   scenario.name = root.text("name", std::filesystem::path(source.name()).stem().string());

@@ -62,7 +62,9 @@ bool TomlTable::has(const std::string& key) {
 
 Word TomlTable::read_word(const std::string& key, const toml::node& node) const {
   const auto value = node.value_exact<std::string>();
-  if (!value) throw util::InputError(at(node), "wrong-type", fmt::format("'{}' must be a string", key));
+  if (!value)
+    throw util::InputError(at(node), "wrong-type", fmt::format("'{}' must be a string", key),
+                           "write it in quotes: \"...\"");
   return {*value, at(node)};
 }
 
@@ -92,7 +94,7 @@ bool TomlTable::flag(const std::string& key, bool otherwise) {
   const toml::node* node = find(key);
   if (node == nullptr) return otherwise;
   const auto value = node->value_exact<bool>();
-  if (!value) fail(key, "wrong-type", fmt::format("'{}' must be true or false", key));
+  if (!value) fail(key, "wrong-type", fmt::format("'{}' must be true or false", key), "without quotes");
   return *value;
 }
 
@@ -101,20 +103,25 @@ std::int64_t TomlTable::integer(const std::string& key, std::int64_t otherwise, 
   const toml::node* node = find(key);
   if (node == nullptr) return otherwise;
   const auto value = node->value_exact<std::int64_t>();
-  if (!value) fail(key, "wrong-type", fmt::format("'{}' must be an integer", key));
+  if (!value)
+    fail(key, "wrong-type", fmt::format("'{}' must be an integer", key),
+         "such as 5, without quotes and without a point");
   if (*value < low || *value > high)
-    fail(key, "out-of-range", fmt::format("'{}' is {}, expected {} ... {}", key, *value, low, high));
+    fail(key, "out-of-range", fmt::format("'{}' is {}, expected {} ... {}", key, *value, low, high),
+         fmt::format("choose one from {} to {}", low, high));
   return *value;
 }
 
 double TomlTable::real(const std::string& key, double otherwise, double low, double high) {
   const toml::node* node = find(key);
   if (node == nullptr) return otherwise;
-  if (!node->is_number()) fail(key, "wrong-type", fmt::format("'{}' must be a number", key));
+  if (!node->is_number())
+    fail(key, "wrong-type", fmt::format("'{}' must be a number", key), "such as 0.5, without quotes");
   const double value = *node->value<double>();
   if (!(value > low) || !(value < high))
     fail(key, "out-of-range",
-         fmt::format("'{}' is {}, expected a number between {} and {}", key, value, low, high));
+         fmt::format("'{}' is {}, expected a number between {} and {}", key, value, low, high),
+         "the bounds themselves are not allowed");
   return value;
 }
 
@@ -127,7 +134,8 @@ std::vector<Word> TomlTable::words(const std::string& key) {
     return words;
   }
   if (!node->is_string())
-    fail(key, "wrong-type", fmt::format("'{}' must be a string or an array of strings", key));
+    fail(key, "wrong-type", fmt::format("'{}' must be a string or an array of strings", key),
+         fmt::format("such as {} = [\"...\", \"...\"]", key));
   return {read_word(key, *node)};
 }
 
@@ -149,6 +157,9 @@ std::vector<util::SourceText> TomlTable::sources(const std::string& key) {
     for (const toml::node& item : *items) found.push_back(placed(item, read_word(key, item).text));
     return found;
   }
+  if (!node->is_string())
+    fail(key, "wrong-type", fmt::format("'{}' must be a string or an array of strings", key),
+         fmt::format("such as {} = [\"...\", \"...\"]", key));
   found.push_back(source(key));
   return found;
 }
@@ -157,7 +168,8 @@ util::SourceText TomlTable::read_scalar(const std::string& key, const toml::node
   if (node.is_string()) return placed(node, read_word(key, node).text);
   if (const auto integer = node.value_exact<std::int64_t>()) return placed(node, std::to_string(*integer));
   if (const auto number = node.value_exact<double>()) return placed(node, fmt::format("{}", *number));
-  throw util::InputError(at(node), "wrong-type", fmt::format("'{}' must be a number or a string", key));
+  throw util::InputError(at(node), "wrong-type", fmt::format("'{}' must be a number or a string", key),
+                         "such as 0.5 or \"1/2\"");
 }
 
 util::SourceText TomlTable::scalar(const std::string& key) {
@@ -170,7 +182,9 @@ std::vector<util::SourceText> TomlTable::scalars(const std::string& key) {
   const toml::node* node = find(key);
   if (node == nullptr) missing(key);
   const toml::array* items = node->as_array();
-  if (items == nullptr) fail(key, "wrong-type", fmt::format("'{}' must be an array", key));
+  if (items == nullptr)
+    fail(key, "wrong-type", fmt::format("'{}' must be an array", key),
+         fmt::format("such as {} = [...]", key));
   std::vector<util::SourceText> found;
   for (const toml::node& item : *items) found.push_back(read_scalar(key, item));
   return found;
@@ -179,7 +193,9 @@ std::vector<util::SourceText> TomlTable::scalars(const std::string& key) {
 TomlTable TomlTable::table(const std::string& key) {
   const toml::node* node = find(key);
   if (node == nullptr) missing(key);
-  if (!node->is_table()) fail(key, "wrong-type", fmt::format("'{}' must be a table", key));
+  if (!node->is_table())
+    fail(key, "wrong-type", fmt::format("'{}' must be a table", key),
+         path_.empty() ? fmt::format("it begins with [{}]", key) : "such as { key = \"value\" }");
   return {*node->as_table(), file_, fmt::format("[{}]", key)};
 }
 
@@ -189,10 +205,13 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) {
   if (node == nullptr) return tables;
   const toml::array* items = node->as_array();
   if (items == nullptr)
-    fail(key, "wrong-type", fmt::format("'{}' must be an array of tables: [[{}]]", key, key));
+    fail(key, "wrong-type", fmt::format("'{}' must be an array of tables", key),
+         path_.empty() ? fmt::format("each one begins with [[{}]]", key)
+                       : fmt::format("such as {} = [{{ ... }}, {{ ... }}]", key));
   for (const toml::node& item : *items) {
     if (!item.is_table())
-      throw util::InputError(at(item), "wrong-type", fmt::format("each item of '{}' must be a table", key));
+      throw util::InputError(at(item), "wrong-type", fmt::format("each item of '{}' must be a table", key),
+                             "such as { key = \"value\" }");
     tables.emplace_back(*item.as_table(), file_, fmt::format("[[{}]]", key));
   }
   return tables;
@@ -212,10 +231,17 @@ std::vector<std::string> TomlTable::keys() const {
 
 void TomlTable::finish() const {
   for (const std::string& key : keys())
-    if (!asked_.contains(key))
-      fail(key, "unknown-key",
-           fmt::format("unknown key '{}' in {}", key, path_.empty() ? "the scenario" : path_),
-           util::suggestion(key, {asked_.begin(), asked_.end()}, 20));
+    if (!asked_.contains(key)) unknown(key, {asked_.begin(), asked_.end()});
+}
+
+void TomlTable::allow(const std::vector<std::string>& known) const {
+  for (const std::string& key : keys())
+    if (std::find(known.begin(), known.end(), key) == known.end()) unknown(key, known);
+}
+
+void TomlTable::unknown(const std::string& key, const std::vector<std::string>& known) const {
+  fail(key, "unknown-key", fmt::format("unknown key '{}' in {}", key, path_.empty() ? "the scenario" : path_),
+       util::suggestion(key, known, 20));
 }
 
 }  // namespace heed::job

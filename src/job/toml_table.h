@@ -42,6 +42,9 @@ class TomlTable {
   [[nodiscard]] std::vector<TomlTable> tables(const std::string& key);
   [[nodiscard]] std::vector<std::string> keys() const;
 
+  /// \throws util::InputError  for the first key that is none of \p known: told before anything that lacks
+  /// because of it.
+  void allow(const std::vector<std::string>& known) const;
   /// \throws util::InputError  for the first key that nobody asked for.
   void finish() const;
   [[noreturn]] void fail(const std::string& key, const std::string& code, const std::string& message,
@@ -57,6 +60,7 @@ class TomlTable {
   [[nodiscard]] Word read_word(const std::string& key, const toml::node& node) const;
   [[nodiscard]] util::SourceText read_scalar(const std::string& key, const toml::node& node) const;
   [[noreturn]] void missing(const std::string& key) const;
+  [[noreturn]] void unknown(const std::string& key, const std::vector<std::string>& known) const;
 
   const toml::table* table_;
   std::shared_ptr<const std::string> file_;

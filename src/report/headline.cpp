@@ -87,7 +87,7 @@ void add_needless(const RunResult& result, std::size_t subject, std::vector<std:
   const ErrorCount own = count_errors(result, result.controllers[subject].name);
   if (own.signs == 0) return;
   std::string sentence =
-      fmt::format("It brakes needlessly for {} of {}", own.needless, plural(own.signs, "sign"));
+      fmt::format("It reacts needlessly to {} of {}", own.needless, plural(own.signs, result.kind));
   if (own.needless > 0)
     sentence +=
         fmt::format(", at worst with probability {} ({})", percent(own.worst_needless), own.worst_sign);
@@ -98,7 +98,8 @@ void add_needless(const RunResult& result, std::size_t subject, std::vector<std:
           fmt::format("{} {}", inside(title_of(controller)), count_errors(result, controller.name).needless));
   if (!others.empty()) sentence += fmt::format("; {}", join(others, ", "));
   sentences.push_back(std::move(sentence));
-  if (own.open_road) sentences.push_back("It also stops where there is no sign at all");
+  if (own.open_road)
+    sentences.push_back(fmt::format("It also reacts where there is no {} at all", result.kind));
 }
 
 void add_verdicts(const RunResult& result, std::vector<std::string>& sentences) {

@@ -29,7 +29,7 @@ void write_head(Markup& page, const RunResult& result) {
 void write_contents(Markup& page, const RunResult& result) {
   const auto nav = page.scope("nav", {{"class", "contents"}, {"aria-label", "Contents"}});
   const auto list = page.scope("ul");
-  const auto link = [&](bool there, const char* id, const char* words) {
+  const auto link = [&](bool there, const char* id, const std::string& words) {
     if (!there) return;
     const auto item = page.scope("li");
     page.element("a", words, {{"href", fmt::format("#{}", id)}});
@@ -41,7 +41,7 @@ void write_contents(Markup& page, const RunResult& result) {
   link(!result.controllers.empty(), "controllers", "Controllers");
   link(!result.charts.empty(), "outcomes", "Outcomes");
   link(!result.speed.curves.empty(), "speed", "Braking");
-  link(!result.catalogue.empty(), "catalogue", "Every sign");
+  link(!result.catalogue.empty(), "catalogue", "Every " + result.kind);
   link(true, "method", "Method");
   link(true, "timings", "Timings");
 }

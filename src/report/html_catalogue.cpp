@@ -59,14 +59,14 @@ void write_cell(Markup& page, const CatalogueEntry& entry, std::size_t row, cons
 
 std::string what_counts(const CatalogueEntry& entry) {
   if (entry.prescribes_halt) return "missed";
-  return entry.prescribes_give_way ? "may stop" : "stops";
+  return entry.prescribes_give_way ? "may react" : "reacts";
 }
 
 void write_head(Markup& page, const RunResult& result, const std::vector<Column>& columns) {
   const auto head = page.scope("thead");
   {
     const auto row = page.scope("tr");
-    page.element("th", "Sign", {{"scope", "col"}, {"rowspan", "2"}});
+    page.element("th", "Thing", {{"scope", "col"}, {"rowspan", "2"}});
     page.element("th", "Counted", {{"scope", "col"}, {"rowspan", "2"}});
     for (std::size_t i = 0; i < columns.size();) {
       std::size_t end = i + 1;
@@ -115,7 +115,8 @@ void write_summary(Markup& page, const RunResult& result) {
     const auto head = page.scope("thead");
     const auto row = page.scope("tr");
     page.element("th", "Controller", {{"scope", "col"}});
-    for (const char* name : {"Stops needlessly at", "At worst", "Can miss halting signs", "With no sign"})
+    for (const std::string& name : {std::string("Reacts needlessly to"), std::string("At worst"),
+                                    std::string("Can miss"), "With no " + result.kind})
       page.element("th", name, {{"scope", "col"}});
   }
   const auto body = page.scope("tbody");
@@ -127,12 +128,12 @@ void write_summary(Markup& page, const RunResult& result) {
       const auto name = page.scope("th", {{"scope", "row"}});
       write_name(page, result, controller.name, title_of(controller));
     }
-    page.element("td", fmt::format("{} of {}", count.needless, plural(count.signs, "sign")));
+    page.element("td", fmt::format("{} of {}", count.needless, plural(count.signs, result.kind)));
     page.element("td", count.needless == 0 ? "–"
                                            : unbroken(fmt::format("{}, {}", percent(count.worst_needless),
                                                                   count.worst_sign)));
     page.element("td", fmt::format("{} of {}", count.missed, count.halting));
-    page.element("td", count.open_road ? "stops" : "drives on");
+    page.element("td", count.open_road ? "reacts" : "goes on");
   }
 }
 
@@ -140,18 +141,20 @@ void write_summary(Markup& page, const RunResult& result) {
 
 void write_catalogue(Markup& page, const RunResult& result) {
   if (result.catalogue.empty()) return;
-  const auto part = section(page, "catalogue", "Past every sign of the catalogue",
-                            "A controller that always brakes would never miss. So each also drives past all "
-                            "the other signs, and past none: "
-                            "how often does it stop where nothing asks it to halt or to give way?");
+  const auto part =
+      section(page, "catalogue", fmt::format("Past every {} of the catalogue", result.kind),
+              "A controller that always reacts would never miss. So each also passes everything "
+              "else in the catalogue, and nothing at all: how often does it react where it need "
+              "not?");
+  page.element("p", errors_explained(result));
   write_summary(page, result);
   const std::vector<Column> columns = columns_of(result);
   if (columns.empty()) return;
-  const auto box = scroll_box(page, "Misses and needless stops per sign");
+  const auto box = scroll_box(page, "Misses and needless reactions, one by one");
   const auto table = page.scope("table", {{"class", "errors"}});
   write_caption(page,
-                "Per cent of approaches in which the sign is missed or the car stops; the stronger the "
-                "colour, the more errors");
+                "Per cent of approaches in which it is missed, or in which the machine reacts; the stronger "
+                "the colour, the more errors");
   write_head(page, result, columns);
   write_rows(page, result, columns);
 }

@@ -207,6 +207,7 @@ struct Document {
     value["subject"] = subject ? Json(result.controllers[*subject].name) : Json(nullptr);
     value["miss_label"] = result.miss_label;
     value["thing"] = result.thing;
+    value["kind"] = result.kind;
     value["inputs"] = to_list(result.inputs);
     value["ontology"] = to_value(result.ontology);
     value["knowledge"] = to_list(result.knowledge);

@@ -74,6 +74,17 @@ std::vector<std::string> bar_labels(const RunResult& result, std::string_view pr
   return labels;
 }
 
+std::string errors_explained(const RunResult& result) {
+  return "“Can miss” counts the " + result.kind +
+         "s that must be reacted to and that the controller passes without reacting in time with a "
+         "probability "
+         "above 0 in some profile; a full count says that late perception can defeat it at each of them, not "
+         "that "
+         "it does so every time. “Needlessly” counts those that neither oblige to react nor excuse it, and "
+         "at "
+         "which it reacts with a probability above 0.";
+}
+
 ErrorCount count_errors(const RunResult& result, std::string_view controller) {
   ErrorCount count;
   for (const CatalogueEntry& entry : result.catalogue) {
@@ -110,7 +121,7 @@ const std::string& title_of(const Controller& controller) {
 }
 
 const std::string& label_of(const CatalogueEntry& entry) {
-  static const std::string open_road = "no sign";
+  static const std::string open_road = "nothing there";
   if (!entry.label.empty()) return entry.label;
   return entry.name.empty() ? open_road : entry.name;
 }

@@ -154,26 +154,27 @@ void Writer::outcomes() {
 
 void Writer::catalogue() {
   if (result_.catalogue.empty()) return;
-  title("Past every sign of the catalogue");
+  const auto built = [](const Controller& c) { return c.verdict != Verdict::Unrealizable; };
+  if (std::none_of(result_.controllers.begin(), result_.controllers.end(), built)) return;
+  title(fmt::format("Past every {} of the catalogue", result_.kind));
   TextTable table({{"controller"},
-                   {"stops needlessly at", Align::Right},
+                   {"reacts needlessly to", Align::Right},
                    {"worst", Align::Right},
                    {"at", Align::Left, 30},
-                   {"can miss halting", Align::Right},
-                   {"with no sign"}});
+                   {"can miss", Align::Right},
+                   {fmt::format("with no {}", result_.kind)}});
   for (const Controller& controller : result_.controllers) {
     if (controller.verdict == Verdict::Unrealizable) continue;
     const ErrorCount count = count_errors(result_, controller.name);
     table.add({title_of(controller), fmt::format("{} of {}", count.needless, count.signs),
                percent(count.worst_needless), count.worst_sign,
-               fmt::format("{} of {}", count.missed, count.halting),
-               count.open_road ? "stops" : "drives on"});
+               fmt::format("{} of {}", count.missed, count.halting), count.open_road ? "reacts" : "goes on"});
   }
-  text_ += table.render(width_);
+  text_ += table.render(width_) + wrap(errors_explained(result_), width_, "  ");
 }
 
 void Writer::speed() {
-  if (result_.speed.curves.empty()) return;
+  if (result_.speed.curves.empty() || result_.charts.empty()) return;
   title(fmt::format("Braking from {} km/h, cells of {} m", compact(result_.speed.speed_kmh, 1),
                     compact(result_.speed.cell_metres, 1)));
   TextTable table(

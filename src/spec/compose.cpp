@@ -102,7 +102,7 @@ class Composer {
       add_observed(std::move(state));
     for (std::uint32_t a = 0; a < plant_.actions.size(); ++a)
       add_clause(spec().sys_safety, logic::implies(is_action(a), terms_.inside(terms_.enabled(a))),
-                 fmt::format("the chosen action is enabled: {}", plant_.actions[a]));
+                 fmt::format("{} only where the plant can", plant_.actions[a]));
   }
 
   static void add_clause(std::vector<Clause>& part, Formula formula, std::string text) {
@@ -232,7 +232,8 @@ class Composer {
   struct Effect {
     StateSet states;
     std::string text;
-    std::vector<std::string> triggers, axioms;
+    std::vector<Formula> triggers;
+    std::vector<std::string> names{}, axioms{};  ///< The triggers as texts.
   };
 
   void add_bindings() {
@@ -245,9 +246,10 @@ class Composer {
           std::find_if(effects.begin(), effects.end(), [&](const Effect& e) { return e.states == states; });
       if (same == effects.end()) {
         const std::string text = binding.text.empty() ? logic::to_string(binding.effect) : binding.text;
-        same = effects.insert(same, {states, text, {}, {}});
+        same = effects.insert(same, {states, text, {}});
       }
-      same->triggers.push_back(trigger.name);
+      same->triggers.push_back(logic::name(trigger.name) && !expand(binding.unless, terms_).formula);
+      same->names.push_back(logic::to_string(same->triggers.back()));
       for (const std::string& axiom : trigger.axioms)
         if (std::find(same->axioms.begin(), same->axioms.end(), axiom) == same->axioms.end())
           same->axioms.push_back(axiom);
@@ -269,25 +271,21 @@ class Composer {
 
   void add_effect(const Effect& effect) {
     const Formula then = terms_.next_inside(effect.states);
-    std::vector<Formula> triggers;
-    triggers.reserve(effect.triggers.size());
-    for (const std::string& name : effect.triggers) triggers.push_back(logic::name(name));
     if (std::find(effect.states.begin(), effect.states.end(), true) == effect.states.end())
       note(util::Severity::Warning, "empty-binding",
            fmt::format("no state of the plant is '{}'", effect.text));
     if (parts_.only_when_prescribed) {
-      spec().sys_safety.push_back(
-          {logic::iff(then, logic::any_of(triggers)), Origin::Binding,
-           fmt::format("X ({}) <-> {}", effect.text, fmt::join(effect.triggers, " | ")), effect.axioms});
+      spec().sys_safety.push_back({logic::iff(then, logic::any_of(effect.triggers)), Origin::Binding,
+                                   fmt::format("X ({}) <-> {}", effect.text, fmt::join(effect.names, " | ")),
+                                   effect.axioms});
       note(util::Severity::Note, "only-when-prescribed",
            fmt::format("'{}' happens for no other reason than {}", effect.text,
-                       fmt::join(effect.triggers, ", ")));
+                       fmt::join(effect.names, ", ")));
       return;
     }
-    for (std::size_t i = 0; i < triggers.size(); ++i)
-      spec().sys_safety.push_back({logic::implies(triggers[i], then), Origin::Binding,
-                                   fmt::format("{} -> X ({})", effect.triggers[i], effect.text),
-                                   effect.axioms});
+    for (std::size_t i = 0; i < effect.triggers.size(); ++i)
+      spec().sys_safety.push_back({logic::implies(effect.triggers[i], then), Origin::Binding,
+                                   fmt::format("{} -> X ({})", effect.names[i], effect.text), effect.axioms});
   }
 
   [[nodiscard]] const Definition& trigger_of(const Binding& binding) const {

@@ -6,16 +6,33 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <vector>
 
 namespace heed::util {
 namespace {
 
 Location whole_file(const std::string& path) {
   return {std::make_shared<const std::string>(path), 0, 0};
+}
+
+/// What may be meant by a path that cannot be opened: a file beside it with nearly that name.
+std::string meant_by(const std::string& path) {
+  const std::filesystem::path wanted(path);
+  const std::filesystem::path folder = wanted.has_parent_path() ? wanted.parent_path() : ".";
+  std::error_code error;
+  std::vector<std::string> names;
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    names.push_back(it->path().filename().string());
+  if (error) return fmt::format("there is no folder '{}' that can be read", folder.string());
+  std::sort(names.begin(), names.end());
+  const std::string near = nearest(wanted.filename().string(), names);
+  return near.empty() || near == wanted.filename() ? "check the path"
+                                                   : fmt::format("did you mean '{}'?", near);
 }
 
 [[noreturn]] void too_large(const std::string& path, const Limits& limits) {
@@ -55,11 +72,14 @@ std::string read_all(int fd, const std::string& path, const Limits& limits, std:
 SourceText read_file(const std::string& path, const Limits& limits) {
   if (path == "-") return {"<stdin>", read_all(0, "<stdin>", limits, 0)};
   const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.fd < 0)
-    throw InputError(whole_file(path), "unreadable", fmt::format("cannot open: {}", std::strerror(errno)));
+  if (file.fd < 0) {
+    const int error = errno;
+    throw InputError(whole_file(path), "unreadable", fmt::format("cannot open: {}", std::strerror(error)),
+                     error == EACCES ? "check who may read it" : meant_by(path));
+  }
   struct stat info {};
   if (fstat(file.fd, &info) != 0 || S_ISDIR(info.st_mode))
-    throw InputError(whole_file(path), "unreadable", "is a folder, expected a file");
+    throw InputError(whole_file(path), "unreadable", "is a folder, expected a file", "name a file in it");
   const auto size = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
   if (limits.input_bytes != 0 && size > limits.input_bytes) too_large(path, limits);
   return {path, read_all(file.fd, path, limits, size)};

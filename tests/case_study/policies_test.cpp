@@ -73,7 +73,7 @@ TEST(Policies, BrakingForOtherSignsIsThatOfTheEnumeration) {
                                  {"speed limit 30", Sign | Colour},
                                  {"priority road", Sign},
                                  {"parking", Sign},
-                                 {"the open road", 0}};
+                                 {"nothing there", 0}};
   for (const Shown& sign : signs) {
     const auto& all = outcome().result.catalogue;
     const auto entry =

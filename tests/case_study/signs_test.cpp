@@ -25,7 +25,7 @@ const std::vector<Described>& some_signs() {
                                             {"speed limit 30", Sign | Colour},
                                             {"priority road", Sign},
                                             {"parking", Sign},
-                                            {"the open road", 0}};
+                                            {"nothing there", 0}};
   return signs;
 }
 

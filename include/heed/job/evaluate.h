@@ -15,10 +15,17 @@
 namespace heed::job {
 
 /// Which transitions of \p machine satisfy each of \p formulas, one flag per transition: formulas without
-/// temporal operators over the names of its columns and inputs. \throws util::InputError  a name that is no
-/// column, with the nearest one.
-[[nodiscard]] std::vector<std::vector<bool>> hold_at_transitions(const std::vector<logic::Formula>& formulas,
-                                                                 const model::Mealy& machine);
+/// temporal operators over the names of its columns and inputs. \param replaced  names that could be used as
+/// well and have been replaced already, such as the plant's labels; for suggestions. \throws util::InputError
+/// a name that is no column, with the nearest one.
+[[nodiscard]] std::vector<std::vector<bool>> hold_at_transitions(
+    const std::vector<logic::Formula>& formulas, const model::Mealy& machine,
+    const std::vector<std::string>& replaced = {});
+
+/// Refuses an event or an outcome that no controller of \p design could be judged by, before any is made.
+/// \throws util::InputError  an unknown name with the nearest one; a temporal operator other than Next over
+/// the plant
+void check_evaluate(const Scenario& scenario, const World& world, const Design& design);
 
 /// How the runs of \p machine are judged: by the outcomes of the scenario, the first event decides. With \p
 /// never_apart, runs without an event get a category of their own, the last one, instead of the one for the

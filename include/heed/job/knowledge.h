@@ -27,9 +27,10 @@ struct Knowledge {
 
 /// The part for an ontology that comes without a scenario: roots and roles are read off its structure (a role
 /// named after actions or behaviours binds what is prescribed, every other role that describes the same
-/// classes binds features). Says in \p notes what it took. \throws util::InputError  nothing fits: the
-/// message asks for the roots.
-[[nodiscard]] KnowledgePart guess_knowledge(const std::string& path, const util::Limits& limits,
+/// classes binds features; where nothing but individuals is described, these are the things). Says in \p
+/// notes what it took. \param known  names the ontology, and may name the action roles and the subclass role.
+/// \throws util::InputError  nothing fits: the message says what to choose from.
+[[nodiscard]] KnowledgePart guess_knowledge(const KnowledgePart& known, const util::Limits& limits,
                                             util::Budget& budget, util::Diagnostics& notes);
 
 /// \throws util::InputError "unsatisfiable-entity" when an entity can have no instance, saying which and why.

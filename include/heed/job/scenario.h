@@ -58,7 +58,7 @@ struct PerceptionPart {
 };
 
 struct PlantPart {
-  std::string path;  ///< Empty: `text` is the plant.
+  Word path;  ///< Empty: `text` is the plant.
   util::SourceText text;
   std::vector<Word> initial;
 };
@@ -97,12 +97,13 @@ struct EvaluatePart {
   std::vector<OutcomePart> outcomes;
   std::size_t rest = 0;  ///< The outcome without `when`.
   std::size_t miss = 0;
-  std::string thing = "the thing";
+  std::string thing = "the thing", kind = "thing";
   std::optional<Word> approached;
   std::uint64_t traces = 10'000, seed = 1;
   double confidence = 0.95;
   std::vector<Word> must_react, may_react;
   double cell_metres = 10, speed_kmh = 50;
+  bool speed_wanted = false;  ///< Where one of the two is given: the machine is one that brakes on a road.
 };
 
 /// One scenario file, syntax and words checked; names of the ontology and the plant are resolved by whoever
@@ -114,6 +115,7 @@ struct Scenario {
   PlantPart plant;
   std::vector<WrittenFormula> assumptions, guarantees;
   std::vector<BindingPart> bindings;
+  std::vector<Word> priority;  ///< Of bound behaviours, the first counts most.
   bool only_when_prescribed = false;
   std::vector<ControllerPart> controllers;
   std::vector<ProfilePart> profiles;

@@ -187,6 +187,7 @@ struct RunResult {
   std::string subject{};
   std::string miss_label = "infeasible";  ///< The bar that counts as a miss.
   std::string thing = "the stop sign";    ///< What is to be detected, with its article.
+  std::string kind = "sign";              ///< What the things of the catalogue are called, in the singular.
   std::vector<InputFile> inputs{};
   Ontology ontology{};
   std::vector<KnowledgeFormula> knowledge{};

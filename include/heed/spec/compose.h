@@ -29,6 +29,8 @@ struct Binding {
   std::string behaviour;  ///< Name of a definition (role Prescribed).
   logic::Formula effect;
   std::string text{};  ///< As written, such as "stopping".
+  /// While this holds the behaviour gives way to another one; over definitions.
+  logic::Formula unless = logic::truth(false);
 };
 
 /// What is put together beside the plant. All formulas may speak of the inputs, memories and definitions, of

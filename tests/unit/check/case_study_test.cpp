@@ -87,7 +87,7 @@ TEST(CaseStudy, without_the_hard_stop_it_is_refused) {
   const Verdict verdict = verify(machine, spec, budget);
   ASSERT_FALSE(verdict.verified);
   EXPECT_EQ(verdict.refutations[0].kind, Refutation::Kind::Safety);
-  EXPECT_EQ(verdict.refutations[0].clause, "the chosen action is enabled: hard_stop");
+  EXPECT_EQ(verdict.refutations[0].clause, "hard_stop only where the plant can");
 }
 
 /// 13 inputs without rules, 20 states: all 8192 letters are legal everywhere.

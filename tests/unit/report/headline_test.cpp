@@ -18,7 +18,7 @@ TEST(Headline, SaysTheFiguresOfTheCaseStudy) {
       "Awareness misses the stop sign in 29.7 % of approaches in P1 (perception tree 40.6 %, base 62.5 %)",
       "Awareness misses the stop sign in 0 % of approaches in P2 (perception tree 16.7 %, base 66.7 %)",
       "Awareness misses the stop sign in 47.5 % of approaches in P3 (perception tree 78.9 %, base 90.1 %)",
-      "It brakes needlessly for 2 of 8 signs, at worst with probability 50 % (No entry); base 0, perception "
+      "It reacts needlessly to 2 of 8 signs, at worst with probability 50 % (No entry); base 0, perception "
       "tree 1",
       "All 3 controllers passed the independent check",
       "90,000 sampled traces agree with the exact figures (smallest p of 9 charts = 0.3)"};
@@ -77,7 +77,7 @@ TEST(Headline, NeverRoundsToACertainty) {
 TEST(Headline, StopsOnTheOpenRoad) {
   RunResult result = sample::result();
   result.catalogue[0].encounters[8].needless = Number{"1/2", 0.5, 0};
-  EXPECT_THAT(headline_of(result), Contains("It also stops where there is no sign at all"));
+  EXPECT_THAT(headline_of(result), Contains("It also reacts where there is no sign at all"));
 }
 
 TEST(Headline, EmptyWhereThereIsNothingToSay) {
