@@ -60,16 +60,4 @@ sed "s|\"traffic-signs.owl\"|\"$PWD/examples/stop-sign/traffic-signs.owl\"|" exa
 check 'a car that cannot stop hard' exits 1 "$heed" run "$work/no-hard-stop.toml" -o "$work/none"
 check 'is told by its state' says 'In M1 there is no way out'
 check 'with the way there' says 'How it comes to that: M0 sees nothing: go'
-check 'an ontology of individuals needs no roots' exits 0 "$heed" kb examples/yield-roles/yield.owl
-check 'it shows what the sign looks like' says 'yield sign (yield): red, triangle -> give way'
-check 'another domain' exits 0 "$heed" run examples/warehouse/warehouse.toml -o "$work/warehouse"
-check 'speaks of no sign' test -z "$(grep -i 'sign\|brak' "$work/out")"
-check 'says who comes first' says "'Wait' comes first"
-check 'an unknown command with --json' exits 2 "$heed" rn --json
-check 'is told in JSON' is_json
-sed 's/^M1 -hard_stop-> S0//' examples/stop-sign/car.fts >"$work/car.fts"
-sed "s|\"traffic-signs.owl\"|\"$PWD/examples/stop-sign/traffic-signs.owl\"|" examples/stop-sign/stop-sign.toml >"$work/no-hard-stop.toml"
-check 'a car that cannot stop hard' exits 1 "$heed" run "$work/no-hard-stop.toml" -o "$work/none"
-check 'is told by its state' says 'In M1 there is no way out'
-check 'with the way there' says 'How it comes to that: M0 sees nothing: go'
 finish
