@@ -3,6 +3,8 @@
 #include <heed/logic/parse.h>
 
 #include <algorithm>
+#include <numeric>
+#include <set>
 
 namespace heed::certify {
 
@@ -19,6 +21,22 @@ bool has_next(const Formula& formula) {
 
 bool comparison(const Formula& node) {
   return node.op() >= Op::Eq && node.op() <= Op::Ge;
+}
+
+/// What \p formula is the conjunction of.
+std::vector<Formula> conjuncts(const Formula& formula) {
+  std::vector<Formula> open{formula}, result;
+  std::set<const void*> seen;
+  while (!open.empty()) {
+    const Formula part = std::move(open.back());
+    open.pop_back();
+    if (!seen.insert(part.identity()).second) continue;
+    if (part.op() == Op::And)
+      open.insert(open.end(), part.operands().rbegin(), part.operands().rend());
+    else
+      result.push_back(part);
+  }
+  return result;
 }
 
 /// Small neighbours in one part: fewer passes over what they are conjoined with.
@@ -42,18 +60,52 @@ std::string text_of(const spec::Clause& clause) {
   return clause.text.empty() ? logic::to_string(clause.formula) : clause.text;
 }
 
-Product::Product(bdd::Manager& manager, const std::vector<Bdd>& parts,
-                 const std::vector<bdd::Var>& quantified) {
-  const std::vector<Bdd> clusters = joined(parts);
-  std::vector<std::vector<bdd::Var>> last(clusters.size() + 1);
-  for (const bdd::Var variable : quantified) {
-    std::size_t user = clusters.size();
-    while (user > 0 && !clusters[user - 1].depends_on(variable)) --user;
-    last[user].push_back(variable);
+namespace {
+
+/// The variables of \p quantified that each part has.
+std::vector<std::vector<std::size_t>> uses(const std::vector<Bdd>& parts,
+                                           const std::vector<bdd::Var>& quantified) {
+  std::vector<std::vector<std::size_t>> result(parts.size());
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    for (std::size_t v = 0; v < quantified.size(); ++v)
+      if (parts[p].depends_on(quantified[v])) result[p].push_back(v);
+  return result;
+}
+
+/// Always next the part that has fewest variables which a later part needs too; among equals the first.
+std::vector<std::size_t> order_of(const std::vector<std::vector<std::size_t>>& uses, std::size_t variables) {
+  std::vector<std::size_t> left(uses.size()), users(variables, 0), order;
+  std::iota(left.begin(), left.end(), std::size_t{0});
+  for (const auto& part : uses)
+    for (const std::size_t v : part) ++users[v];
+  const auto shared = [&](std::size_t part) {
+    return std::count_if(uses[part].begin(), uses[part].end(), [&](std::size_t v) { return users[v] > 1; });
+  };
+  while (!left.empty()) {
+    const auto best = std::min_element(left.begin(), left.end(),
+                                       [&](std::size_t a, std::size_t b) { return shared(a) < shared(b); });
+    for (const std::size_t v : uses[*best]) --users[v];
+    order.push_back(*best);
+    left.erase(best);
   }
+  return order;
+}
+
+}  // namespace
+
+Product::Product(bdd::Manager& manager, const std::vector<Bdd>& given,
+                 const std::vector<bdd::Var>& quantified) {
+  std::vector<Bdd> parts;
+  for (const std::size_t p : order_of(uses(given, quantified), quantified.size())) parts.push_back(given[p]);
+  parts = joined(parts);
+  std::vector<std::vector<bdd::Var>> last(parts.size() + 1);
+  const auto used = uses(parts, quantified);
+  std::vector<std::size_t> user(quantified.size(), 0);
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    for (const std::size_t v : used[p]) user[v] = p + 1;
+  for (std::size_t v = 0; v < quantified.size(); ++v) last[user[v]].push_back(quantified[v]);
   stages_.emplace_back(manager.constant(true), manager.cube(last[0]));
-  for (std::size_t i = 0; i < clusters.size(); ++i)
-    stages_.emplace_back(clusters[i], manager.cube(last[i + 1]));
+  for (std::size_t i = 0; i < parts.size(); ++i) stages_.emplace_back(parts[i], manager.cube(last[i + 1]));
 }
 
 Bdd Product::operator()(Bdd start) const {
@@ -112,23 +164,27 @@ void Board::environment() {
   always_env_ = encoding_.in_range(Owner::Input);
   env_steps.push_back(encoding_.in_range(Owner::Input).next());
   for (const auto& clause : spec_.env_safety) {
-    const Bdd holds = encoding_.holds(clause.formula);
-    if (has_next(clause.formula) || judged_by_answers(clause.formula)) {
-      env_steps.push_back(holds);
-    } else {
-      always_env_ &= holds;
-      env_steps.push_back(holds.next());
+    const bool step = has_next(clause.formula) || judged_by_answers(clause.formula);
+    for (const Formula& part : conjuncts(clause.formula)) {
+      const Bdd holds = encoding_.holds(part);
+      env_steps.push_back(step ? holds : holds.next());
+      if (!step) always_env_ &= holds;
     }
   }
 }
 
 void Board::system() {
+  always_sys_ = encoding_.constant(true);
   sys_steps.push_back(encoding_.in_range(Owner::Output).next());
   sys_texts.emplace_back("the values that its outputs may have");
   for (const auto& clause : spec_.sys_safety) {
-    const Bdd holds = encoding_.holds(clause.formula);
-    sys_steps.push_back(has_next(clause.formula) ? holds : holds.next());
-    sys_texts.push_back(text_of(clause));
+    const bool step = has_next(clause.formula);
+    for (const Formula& part : conjuncts(clause.formula)) {
+      const Bdd holds = encoding_.holds(part);
+      sys_steps.push_back(step ? holds : holds.next());
+      sys_texts.push_back(text_of(clause));
+      if (!step) always_sys_ &= holds;
+    }
   }
 }
 
@@ -147,8 +203,7 @@ void Board::start() {
   first_inputs = (environment & memory).exists(encoding_.cube(Owner::Memory, false));
   first_answers = environment & memory & encoding_.in_range(Owner::Output);
   for (const auto& clause : spec_.sys_init) first_answers &= encoding_.holds(clause.formula);
-  for (const auto& clause : spec_.sys_safety)
-    if (!has_next(clause.formula)) first_answers &= encoding_.holds(clause.formula);
+  first_answers &= always_sys_;
 }
 
 namespace {

@@ -73,6 +73,7 @@ class Board {
   [[nodiscard]] bdd::Bdd doomed() const;
 
   bdd::Bdd always_env_;  ///< Current; what the environment keeps at every step whatever is answered.
+  bdd::Bdd always_sys_;  ///< Current; what the system keeps at every step.
   Product moves_{encoding_.manager(), {}, {}}, plain_moves_{moves_}, answers_{moves_};
   bdd::Bdd doomed_;  ///< X, Y, M: states at which the environment can break rho_s, whatever is answered.
 };

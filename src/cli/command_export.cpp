@@ -4,6 +4,7 @@
 #include <heed/export/cpp.h>
 #include <heed/export/dot.h>
 #include <heed/export/exec.h>
+#include <heed/export/symbolic_runner.h>
 #include <heed/model/mealy.h>
 #include <heed/util/diagnostic.h>
 #include <heed/util/file.h>
@@ -50,7 +51,12 @@ int export_command(const Arguments& arguments) {
 }
 
 int exec_command(const Arguments& arguments) {
-  exporter::LineExecutor executor(load_controller(arguments));
+  const util::Limits limits = arguments.limits();
+  const util::SourceText source = util::read_file(arguments.operands().front(), limits);
+  exporter::LineExecutor executor =
+      model::is_symbolic(source)
+          ? exporter::LineExecutor(exporter::SymbolicRunner(model::read_symbolic(source, limits)))
+          : exporter::LineExecutor(model::read_mealy(source, limits));
   std::ios::sync_with_stdio(false);
   executor.run(std::cin, std::cout);
   return 0;

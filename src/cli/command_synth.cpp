@@ -1,19 +1,33 @@
 #include "commands.h"
 #include "output.h"
 
+#include <heed/certify/certify.h>
 #include <heed/check/verify.h>
 #include <heed/model/mealy.h>
+#include <heed/model/symbolic.h>
 #include <heed/spec/dialect.h>
 #include <heed/strategy/synthesize.h>
+#include <heed/util/diagnostic.h>
 #include <heed/util/file.h>
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace heed::cli {
 namespace {
 
 spec::Gr1 load_spec(const std::string& path, const util::Limits& limits) {
   return spec::read_any(util::read_file(path, limits), limits);
+}
+
+strategy::Form form(const Arguments& arguments) {
+  const std::string word = arguments.text("--strategy", "auto");
+  if (word == "auto") return strategy::Form::Auto;
+  if (word == "explicit") return strategy::Form::Explicit;
+  if (word == "symbolic") return strategy::Form::Symbolic;
+  throw UsageError(fmt::format("--strategy: unknown word '{}'", word),
+                   util::suggestion(word, {"explicit", "symbolic", "auto"}));
 }
 
 strategy::Options synthesis_options(const Arguments& arguments) {
@@ -24,6 +38,16 @@ strategy::Options synthesis_options(const Arguments& arguments) {
     options.on_violation = strategy::OnViolation::Latch;
   else if (word != "undefined")
     throw UsageError(fmt::format("--on-violation: unknown word '{}'", word), "undefined or latch");
+  options.claim = arguments.has("--certify");
+  options.form = form(arguments);
+  options.auto_states = arguments.number("--max-states", 1, 1'000'000'000).value_or(options.auto_states);
+  options.auto_rows = 20 * options.auto_states;
+  if (options.form == strategy::Form::Explicit)
+    options.max_states = std::max(options.max_states, options.auto_states);
+  if (options.form == strategy::Form::Symbolic && word == "latch")
+    throw UsageError(
+        "--on-violation latch lists an answer to every observation, and a symbolic strategy lists nothing",
+        "leave out one of the two");
   return options;
 }
 
@@ -35,74 +59,17 @@ int verdict_code(const Arguments& arguments, bool yes) {
   return yes ? 0 : 1;
 }
 
-Json trace_json(const check::Refutation& refutation, const model::Mealy& machine) {
-  Json steps = Json::array();
-  for (const check::TraceStep& step : refutation.trace) {
-    Json one;
-    for (std::size_t i = 0; i < step.input.size(); ++i)
-      one["input"][machine.inputs[i].name] = machine.inputs[i].domain.print(step.input[i]);
-    for (std::size_t i = 0; i < step.output.size(); ++i)
-      one["output"][machine.outputs[i].variable.name] =
-          machine.outputs[i].variable.domain.print(step.output[i]);
-    steps.push_back(std::move(one));
-  }
-  return steps;
-}
-
-std::string trace_text(const check::Refutation& refutation, const model::Mealy& machine) {
-  std::string out;
-  for (std::size_t t = 0; t < refutation.trace.size(); ++t) {
-    const check::TraceStep& step = refutation.trace[t];
-    if (refutation.kind == check::Refutation::Kind::Justice && t == refutation.loop_start)
-      out += "  for ever:\n";
-    out += fmt::format("  step {}:", t);
-    for (std::size_t i = 0; i < step.input.size(); ++i)
-      out += fmt::format(" {}={}", machine.inputs[i].name, machine.inputs[i].domain.print(step.input[i]));
-    out += step.output.empty() ? " -> no answer" : " ->";
-    for (std::size_t i = 0; i < step.output.size(); ++i)
-      out += fmt::format(" {}={}", machine.outputs[i].variable.name,
-                         machine.outputs[i].variable.domain.print(step.output[i]));
-    out += '\n';
-  }
-  return out;
-}
-
-int report_verdict(const Arguments& arguments, const check::Verdict& verdict, const model::Mealy& machine) {
-  if (arguments.json()) {
-    Json out;
-    out["verdict"] = verdict.verified ? "VERIFIED" : "REFUTED";
-    out["product_states"] = verdict.product_states;
-    out["product_edges"] = verdict.product_edges;
-    out["relies_on_broken_justice"] = verdict.relies_on_broken_justice;
-    out["refutations"] = Json::array();
-    for (const check::Refutation& refutation : verdict.refutations) {
-      Json one;
-      one["message"] = refutation.message;
-      one["clause"] = refutation.clause;
-      one["trace"] = trace_json(refutation, machine);
-      one["loop_start"] = refutation.loop_start;
-      out["refutations"].push_back(std::move(one));
-    }
-    print_json(out);
-    return verdict.verified ? 0 : 1;
-  }
-  print(fmt::format("{}\n", verdict.verified ? "VERIFIED" : "REFUTED"));
-  print(
-      fmt::format("{} states and {} edges of the product\n", verdict.product_states, verdict.product_edges));
-  if (verdict.relies_on_broken_justice)
-    print("It relies somewhere on an assumption that the environment does not meet.\n");
-  for (const check::Refutation& refutation : verdict.refutations)
-    print(
-        fmt::format("{}\n  {}\n{}", refutation.message, refutation.clause, trace_text(refutation, machine)));
-  return verdict.verified ? 0 : 1;
-}
-
 Json synthesis_json(const strategy::Result& result) {
   Json out;
   out["verdict"] = result.realizable ? "REALIZABLE" : "UNREALIZABLE";
-  if (result.machine) {
-    out["states"] = result.machine->state_count();
-    out["transitions"] = result.machine->transitions.size();
+  if (result.machine || result.symbolic) {
+    out["strategy"] = result.machine ? "explicit" : "symbolic";
+    if (result.machine) {
+      out["states"] = result.machine->state_count();
+      out["transitions"] = result.machine->transitions.size();
+    } else {
+      out["nodes"] = result.symbolic->diagrams.nodes.size();
+    }
     out["relies_on_broken_justice"] = result.relies_on_broken_justice;
   }
   if (result.counter) {
@@ -120,12 +87,66 @@ void print_counter(const strategy::CounterPlay& counter) {
   for (const std::string& reason : counter.reasons) fmt::print(stderr, "  {}\n", reason);
 }
 
-/// No machine leaves without its check. \throws std::logic_error  the check refuses what the solver made
-void insist_on_verified(const model::Mealy& machine, const spec::Gr1& spec, util::Budget& budget) {
-  const check::Verdict verdict = check::verify(machine, spec, budget);
-  if (!verdict.verified)
-    throw std::logic_error("the independent check refuses the synthesized controller: " +
-                           verdict.refutations.front().message);
+/// No strategy leaves without its check. \throws std::logic_error  what the solver made is refused
+void insist_on_verified(const strategy::Result& result, const spec::Gr1& spec, util::Budget& budget) {
+  std::string fault;
+  if (result.machine) {
+    const check::Verdict verdict = check::verify(*result.machine, spec, budget);
+    if (!verdict.verified) fault = verdict.refutations.front().message;
+  } else if (result.symbolic) {
+    fault = certify::certify(*result.symbolic, spec, budget).fault;
+  }
+  if (!fault.empty())
+    throw std::logic_error("the independent check refuses the synthesized controller: " + fault);
+}
+
+/// The verdict's own certificate, where it was asked for. \throws std::logic_error  it is refused
+certify::Verdict certificate(const strategy::Result& result, const spec::Gr1& spec, util::Budget& budget) {
+  if (!result.claim) return {};
+  certify::Verdict verdict = certify::certify(*result.claim, spec, budget);
+  if (!verdict.certified)
+    throw std::logic_error(fmt::format("the certificate of the verdict '{}' is refused: {}",
+                                       result.realizable ? "realizable" : "unrealizable", verdict.fault));
+  return verdict;
+}
+
+/// "480 states, 1920 transitions", or of what the functions consist.
+std::string size_text(const strategy::Result& result) {
+  if (result.machine)
+    return fmt::format("explicit strategy: {} states, {} transitions", result.machine->state_count(),
+                       result.machine->transitions.size());
+  return fmt::format("symbolic strategy: {} goals, {} nodes", result.symbolic->goals.size(),
+                     result.symbolic->diagrams.nodes.size());
+}
+
+std::string document(const strategy::Result& result) {
+  if (result.machine) return model::write_mealy(*result.machine);
+  return result.symbolic ? model::write_symbolic(*result.symbolic) : std::string();
+}
+
+void report_json(const strategy::Result& result, const certify::Verdict& certified, const std::string& file) {
+  Json out = synthesis_json(result);
+  if (result.claim) out["certificate"] = {{"verdict", "VERIFIED"}, {"implications", certified.checks}};
+  const std::string controller = document(result);
+  if (!controller.empty() && file != "-")
+    out["file"] = file;
+  else if (!controller.empty())
+    out["controller"] = Json::parse(controller);
+  print_json(out);
+}
+
+void report_text(const strategy::Result& result, const certify::Verdict& certified, const std::string& file) {
+  const bool strategy = result.machine || result.symbolic;
+  const std::string note =
+      result.claim ? fmt::format("certified: {} implications hold\n", certified.checks) : std::string();
+  if (strategy && file == "-") {
+    print(document(result));
+    fmt::print(stderr, "{}", note);
+    return;
+  }
+  print((result.realizable ? "REALIZABLE\n" : "UNREALIZABLE\n") + note);
+  if (strategy) print(fmt::format("{}, verified; written to {}\n", size_text(result), file));
+  if (result.counter) print_counter(*result.counter);
 }
 
 }  // namespace
@@ -134,39 +155,15 @@ int synth_command(const Arguments& arguments) {
   const util::Limits limits = arguments.limits();
   util::Budget budget(limits);
   (void)verdict_code(arguments, true);  // a wrong style is said before the work
+  const strategy::Options options = synthesis_options(arguments);
   const spec::Gr1 spec = load_spec(arguments.operands().front(), limits);
-  const strategy::Result result = strategy::synthesize(spec, budget, synthesis_options(arguments));
-  if (result.machine) insist_on_verified(*result.machine, spec, budget);
+  const strategy::Result result = strategy::synthesize(spec, budget, options);
+  insist_on_verified(result, spec, budget);
+  const certify::Verdict certified = certificate(result, spec, budget);
   const std::string target = arguments.text("--output", "-");
-  const bool to_file = result.machine && target != "-";
-  if (to_file) util::write_file(target, model::write_mealy(*result.machine));
-  if (arguments.json()) {
-    Json out = synthesis_json(result);
-    if (to_file)
-      out["file"] = target;
-    else if (result.machine)
-      out["controller"] = Json::parse(model::write_mealy(*result.machine));
-    print_json(out);
-  } else if (result.machine && !to_file) {
-    print(model::write_mealy(*result.machine));
-  } else {
-    print(result.realizable ? "REALIZABLE\n" : "UNREALIZABLE\n");
-    if (to_file)
-      print(fmt::format("{} states, {} transitions, verified; written to {}\n", result.machine->state_count(),
-                        result.machine->transitions.size(), target));
-  }
-  if (!arguments.json() && result.counter) print_counter(*result.counter);
+  if ((result.machine || result.symbolic) && target != "-") util::write_file(target, document(result));
+  (arguments.json() ? report_json : report_text)(result, certified, target);
   return verdict_code(arguments, result.realizable);
-}
-
-int verify_command(const Arguments& arguments) {
-  const util::Limits limits = arguments.limits();
-  util::Budget budget(limits);
-  const model::Mealy machine = model::read_mealy(util::read_file(arguments.operands()[0], limits), limits);
-  const spec::Gr1 spec = load_spec(arguments.operands()[1], limits);
-  check::Options options;
-  options.most = arguments.number("--most", 1, 1000).value_or(1);
-  return report_verdict(arguments, check::verify(machine, spec, budget, options), machine);
 }
 
 }  // namespace heed::cli

@@ -14,9 +14,9 @@ std::string json_quoted(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-ReactionWriter::ReactionWriter(const model::Mealy& machine) {
-  for (std::size_t i = 0; i < machine.outputs.size(); ++i) {
-    const auto& [variable, role] = machine.outputs[i];
+ReactionWriter::ReactionWriter(const std::vector<model::Output>& columns) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto& [variable, role] = columns[i];
     Column column{variable.domain.kind, json_quoted(variable.name), {}, {}};
     if (!variable.comment.empty()) column.comment = json_quoted(variable.comment);
     for (const std::string& value : variable.domain.values) column.values.push_back(json_quoted(value));

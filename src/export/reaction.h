@@ -16,7 +16,7 @@ namespace heed::exporter {
 /// be quoted beforehand is.
 class ReactionWriter {
  public:
-  explicit ReactionWriter(const model::Mealy& machine);
+  explicit ReactionWriter(const std::vector<model::Output>& columns);
   /// \param letter  Values of the output columns, or nullptr: before any reaction.
   void append(std::string& out, const model::Valuation* letter) const;
 

@@ -27,6 +27,8 @@ class Reader {
 
   Mealy read() {
     const json& root = document_.root();
+    if (root.contains("heed") && root["heed"] == "symbolic-controller")
+      document_.fail("this controller is symbolic, and its states are not listed");
     document_.expect_keys(root, "the controller",
                           {"heed", "version", "name", "inputs", "outputs", "assumptions", "notes",
                            "input_letters", "output_letters", "states"});

@@ -30,6 +30,24 @@ check 'synth says so' says REALIZABLE
 check 'synth --realizability' exits 0 "$heed" synth "$work/tree.gr1" --realizability
 check 'its first line is the verdict' test "$(head -n 1 "$work/out")" = REALIZABLE
 check 'synth --exit-code syntcomp' exits 10 "$heed" synth "$work/tree.gr1" --realizability --exit-code=syntcomp
+check 'synth --certify' exits 0 "$heed" synth "$work/tree.gr1" --realizability --certify
+check 'synth --certify says so' says 'certified: '
+check 'synth --strategy symbolic' exits 0 "$heed" synth "$work/tree.gr1" --strategy symbolic --certify -o "$work/tree.symbolic.json"
+check 'synth says which' says 'symbolic strategy: '
+check 'verify a symbolic one' exits 0 "$heed" verify "$work/tree.symbolic.json" "$work/tree.gr1"
+check 'verify says so' says VERIFIED
+check 'verify another specification' exits 2 "$heed" verify "$work/tree.symbolic.json" "$work/run/base.gr1"
+check 'verify a symbolic one --json' exits 0 "$heed" verify "$work/tree.symbolic.json" "$work/tree.gr1" --json
+check 'is JSON' is_json
+printf '%s\n' '{}' '{"sign": true}' nonsense '{"reset": true}' >"$work/in"
+check 'exec of a symbolic one' exits 0 "$heed" exec "$work/tree.symbolic.json" <"$work/in"
+check 'answers each line' test "$(wc -l <"$work/out")" -eq 4
+cp "$work/out" "$work/symbolic.out"
+check 'exec of the explicit one' exits 0 "$heed" exec "$work/tree.json" <"$work/in"
+check 'recognises the same' test "$(sed 's/"action".*//' "$work/out")" = "$(sed 's/"action".*//' "$work/symbolic.out")"
+printf '[input]\nr : boolean\n[output]\ng : boolean\n[sys justice]\ng & r\n' >"$work/lost.gr1"
+check 'an unrealizable one is certified' exits 1 "$heed" synth "$work/lost.gr1" --certify --json
+check 'certificate in JSON' node -e 'process.exit(JSON.parse(require("fs").readFileSync(process.argv[1])).certificate.verdict === "VERIFIED" ? 0 : 1)' "$work/out"
 check 'verify' exits 0 "$heed" verify "$work/tree.json" "$work/tree.gr1"
 check 'verify says so' says VERIFIED
 check 'verify --json' exits 0 "$heed" verify "$work/tree.json" "$work/tree.gr1" --json

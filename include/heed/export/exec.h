@@ -1,5 +1,6 @@
 #pragma once
 
+#include <heed/export/symbolic_runner.h>
 #include <heed/model/mealy.h>
 
 #include <cstddef>
@@ -18,6 +19,8 @@ class LineExecutor {
 
   /// \throws InputError  the machine has no states or two inputs of one name
   explicit LineExecutor(model::Mealy machine);
+  /// The same for a symbolic controller.
+  explicit LineExecutor(SymbolicRunner runner);
   ~LineExecutor();
   LineExecutor(LineExecutor&&) noexcept;
   LineExecutor& operator=(LineExecutor&&) noexcept;

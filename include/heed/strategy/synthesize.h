@@ -2,6 +2,7 @@
 
 #include <heed/game/explain.h>
 #include <heed/model/mealy.h>
+#include <heed/model/symbolic.h>
 #include <heed/spec/gr1.h>
 #include <heed/util/limits.h>
 
@@ -19,10 +20,21 @@ enum class OnViolation : std::uint8_t {
          ///< else the first legal one; marked as fallback.
 };
 
+/// How a strategy is written down.
+enum class Form : std::uint8_t {
+  Explicit,  ///< As a Mealy machine, state by state.
+  Symbolic,  ///< As functions.
+  Auto       ///< Explicit where `auto_states` and `auto_rows` suffice, else symbolic.
+};
+
 struct Options {
   bool only_realizability = false;
+  bool claim = false;  ///< Also say why the verdict is right, so that certify can see to it.
+  Form form = Form::Explicit;
+  std::uint64_t auto_states = 100'000, auto_rows = 2'000'000;  ///< Before minimisation.
   OnViolation on_violation = OnViolation::Undefined;
   std::uint64_t max_states = 10'000'000;  ///< Before minimisation. More: util::LimitExceeded (Size).
+  std::uint64_t max_rows = 0;             ///< The same for rows; 0: no bound.
 };
 
 struct Statistics {
@@ -37,13 +49,16 @@ using CounterPlay = game::Defeat;
 
 struct Result {
   bool realizable = false;
-  std::optional<model::Mealy> machine;    ///< Realizable and asked for.
-  std::optional<CounterPlay> counter;     ///< Unrealizable.
+  std::optional<model::Mealy> machine;                ///< Realizable and asked for: this one,
+  std::optional<model::SymbolicController> symbolic;  ///< or this one.
+  std::optional<model::Claim> claim;                  ///< Asked for.
+  std::optional<CounterPlay> counter;                 ///< Unrealizable.
   bool relies_on_broken_justice = false;  ///< The strategy somewhere waits for an assumption to fail.
   Statistics statistics;
 };
 
-/// Solves the game of \p spec and extracts a minimised Mealy machine. \throws util::LimitExceeded,
+/// Solves the game of \p spec and extracts a minimised Mealy machine, or a symbolic controller. A symbolic
+/// one has no rows for illegal observations: OnViolation::Latch is explicit. \throws util::LimitExceeded,
 /// util::InputError
 [[nodiscard]] Result synthesize(const spec::Gr1& spec, util::Budget& budget, const Options& options = {});
 
