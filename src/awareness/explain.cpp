@@ -131,9 +131,11 @@ Explanation explain_recognition(const Catalogue& catalogue, const Recognition& r
     return {fmt::format("'{}' is never recognised by this policy ({})", label, recognition.words), false, {}};
   if (!derived(recognition, rule->name, seen)) {
     const auto lacks = missing(*rule, seen);
-    return {fmt::format("'{}' is not recognised", label),
-            false,
-            {{fmt::format("The nearest evidence lacks {}.", quoted_list(lacks)), {}}}};
+    Explanation result{fmt::format("'{}' is not recognised", label),
+                       false,
+                       {{fmt::format("The nearest evidence lacks {}.", quoted_list(lacks)), {}}}};
+    if (auto why = why_impossible(catalogue, recognition, entity, seen)) result.steps = {std::move(*why)};
+    return result;
   }
   const auto why =
       shrink(seen, [&](const std::set<std::string>& part) { return derived(recognition, rule->name, part); });

@@ -51,7 +51,7 @@ void HornBase::add_entities(const Catalogue& catalogue) {
   for (std::size_t e = 0; e < entities_; ++e) {
     const Entity& it = catalogue.entities[e];
     if (!it.satisfiable) {
-      add_rule({entity(e)}, nothing(), no_axioms);
+      add_rule({entity(e)}, nothing(), it.impossible);
       continue;
     }
     for (const Entailed& has : it.features) add_rule({entity(e)}, feature(has.index), has.axioms);

@@ -26,15 +26,15 @@ void Builder::warn(std::string code, std::string message, Axioms axioms, std::ve
 
 void Builder::warn_unsatisfiable() {
   for (std::size_t e = 0; e < catalogue_.entities.size(); ++e) {
-    const Entity& entity = catalogue_.entities[e];
+    Entity& entity = catalogue_.entities[e];
     if (entity.satisfiable) continue;
-    const auto why = justifier_.unsatisfiable(owl::ClassExpression::named(entity.iri));
+    entity.impossible = justifier_.unsatisfiable(owl::ClassExpression::named(entity.iri)).value_or(Axioms{});
     warn("unsatisfiable-entity",
          fmt::format("Nothing can be a '{}': what the ontology says of it contradicts itself, so it will "
                      "never be recognised "
                      "and every statement about it holds emptily.",
                      entity.label),
-         why.value_or(Axioms{}), {e});
+         entity.impossible, {e});
   }
 }
 

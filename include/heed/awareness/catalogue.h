@@ -100,6 +100,7 @@ struct Entity {
   std::vector<Entailed> features{};     ///< All that the ontology entails, also the general ones (features).
   std::vector<Entailed>
       behaviours{};  ///< prescribed(D): inherited ones and those of subbehaviours too (behaviours).
+  std::vector<owl::AxiomId> impossible{};  ///< Why it is not satisfiable.
   [[nodiscard]] bool is_leaf() const { return children.empty(); }
 };
 

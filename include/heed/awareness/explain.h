@@ -2,6 +2,7 @@
 
 #include <heed/awareness/sigma.h>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -43,6 +44,16 @@ struct Explanation {
 /// Why \p behaviour is prescribed when exactly \p seen is true.
 [[nodiscard]] Explanation explain_reaction(const Catalogue& catalogue, const Recognition& recognition,
                                            std::size_t behaviour, const std::set<std::string>& seen);
+
+/// Why \p entity is no candidate when exactly \p seen is true; nothing when it is one still, or the policy
+/// asks for no candidates, or the evidence against it was not listed (evidence_cap).
+[[nodiscard]] std::optional<ExplanationStep> why_impossible(const Catalogue& catalogue,
+                                                            const Recognition& recognition,
+                                                            std::size_t entity,
+                                                            const std::set<std::string>& seen);
+/// The same for all that fell away.
+[[nodiscard]] Explanation explain_excluded(const Catalogue& catalogue, const Recognition& recognition,
+                                           const std::set<std::string>& seen);
 
 /// Indented text, one line per step and axiom: `  a12 Stop sign SubClassOf ... (traffic-signs.owl:2599:5)`.
 [[nodiscard]] std::string to_text(const Explanation& explanation);

@@ -3,8 +3,10 @@
 #include "fixture.h"
 #include "random_horn.h"
 
+#include <heed/awareness/explain.h>
 #include <heed/awareness/observation.h>
 #include <heed/dl/reasoner.h>
+#include <heed/owl/print.h>
 
 #include <gtest/gtest.h>
 
@@ -285,6 +287,70 @@ TEST(Candidates, ListedEvidenceSufficesAndIsMinimal) {
         }
       }
   }
+}
+
+/// Whether the axioms of \p step, as a document of their own, leave no \p entity with what is seen.
+bool alone_suffices(const Case& it, const ExplanationStep& step, const Observation& seen,
+                    std::size_t entity) {
+  const owl::Ontology& whole = it.catalogue.ontology;
+  std::vector<owl::AxiomId> ids;
+  for (const owl::Axiom& axiom : whole.axioms())
+    if (axiom.as<owl::Declaration>() != nullptr) ids.push_back(axiom.id);
+  for (const AxiomText& axiom : step.axioms) ids.push_back(axiom.id);
+  util::Diagnostics diagnostics;
+  const owl::Ontology part =
+      owl::read(util::SourceText("part.ofn", owl::to_functional(ids, whole)), {}, diagnostics);
+  util::Budget budget;
+  const dl::Reasoner reasoner(part, budget);
+  const auto named = [&](owl::Iri iri) { return part.find(whole.text(iri)); };
+  const auto what = [&](std::size_t f) -> std::optional<owl::ClassExpression> {
+    const Feature& feature = it.catalogue.features[f];
+    const auto filler = named(feature.filler);
+    if (!filler) return std::nullopt;
+    if (feature.kind == Feature::Kind::Class) return owl::ClassExpression::named(*filler);
+    const auto role = named(feature.role);
+    if (!role) return std::nullopt;
+    return owl::ClassExpression::some({*role, false}, owl::ClassExpression::named(*filler));
+  };
+  std::vector<owl::ClassExpression> parts;
+  if (const auto self = named(it.catalogue.entities[entity].iri))
+    parts.push_back(owl::ClassExpression::named(*self));
+  for (const std::size_t f : seen.seen)
+    if (const auto part_of = what(f)) parts.push_back(*part_of);
+  const auto thing = owl::ClassExpression::intersection(parts);
+  if (!reasoner.satisfiable(thing)) return true;
+  return std::any_of(seen.excluded.begin(), seen.excluded.end(), [&](std::size_t n) {
+    const auto excluded = what(n);
+    return excluded && reasoner.entails_subsumption(thing, *excluded);
+  });
+}
+
+TEST(Candidates, WhatFellAwayIsExplainedByAxiomsThatSuffice) {
+  std::size_t explained = 0;
+  for (std::uint32_t seed = 400; seed < 420; ++seed) {
+    const Case it(seed);
+    PolicyOptions options;
+    options.kind = PolicyOptions::Kind::Identifying;
+    options.closed = true;
+    const Recognition compiled = compile_policy(it.catalogue, it.perception, options);
+    const Judge judge(it.catalogue, {true, {}});
+    for (const Observation& seen : observations(it)) {
+      const Judgement found = judge(seen);
+      if (seen.seen.empty() || found.conflict) continue;
+      std::set<std::string> atoms;
+      for (const auto& [atom, value] : symbols(it, seen)) atoms.insert(atom);
+      for (const Situation& situation : compiled.situations) {
+        if (situation.kind != Situation::Kind::Possible) continue;
+        const auto why = why_impossible(it.catalogue, compiled, *situation.entity, atoms);
+        ASSERT_EQ(why.has_value(), !as_set(found.candidates).contains(*situation.entity)) << it.text;
+        if (!why) continue;
+        ++explained;
+        ASSERT_TRUE(alone_suffices(it, *why, seen, *situation.entity))
+            << to_text({why->sentence, true, {*why}}) << it.text;
+      }
+    }
+  }
+  EXPECT_GT(explained, 100U);
 }
 
 }  // namespace
