@@ -188,7 +188,7 @@ class Job {
               stages_("evaluate", 0.6, [&] { return chart(profile, candidate, entity); }));
     }
     stages_("drive past the catalogue", 0.8, [&] { return drive_past_everything(), 0; });
-    if (scenario_.evaluate->speed_wanted) fill_speed(entity);
+    if (scenario_.evaluate->speed_wanted && !result_.charts.empty()) fill_speed(entity);
   }
 
   [[nodiscard]] report::Chart chart(const ProfilePart& profile, const Candidate& candidate,

@@ -102,7 +102,20 @@ void add_needless(const RunResult& result, std::size_t subject, std::vector<std:
     sentences.push_back(fmt::format("It also reacts where there is no {} at all", result.kind));
 }
 
+/// The answer where there is nothing to compare: it must stay short enough for a title.
+bool add_none(const RunResult& result, std::vector<std::string>& sentences) {
+  const auto lost = [](const Controller& c) { return c.verdict == Verdict::Unrealizable; };
+  if (result.controllers.empty() || !std::all_of(result.controllers.begin(), result.controllers.end(), lost))
+    return false;
+  sentences.emplace_back("No controller exists");
+  for (const Controller& controller : result.controllers)
+    if (!controller.reasons.empty())
+      sentences.push_back(fmt::format("{}: {}", capital(title_of(controller)), controller.reasons.front()));
+  return true;
+}
+
 void add_verdicts(const RunResult& result, std::vector<std::string>& sentences) {
+  if (add_none(result, sentences)) return;
   std::size_t verified = 0;
   for (const Controller& controller : result.controllers) {
     if (controller.verdict == Verdict::Verified) {

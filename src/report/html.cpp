@@ -40,8 +40,8 @@ void write_contents(Markup& page, const RunResult& result) {
   link(!result.specification.empty(), "specification", "Specification");
   link(!result.controllers.empty(), "controllers", "Controllers");
   link(!result.charts.empty(), "outcomes", "Outcomes");
-  link(!result.speed.curves.empty(), "speed", "Braking");
-  link(!result.catalogue.empty(), "catalogue", "Every " + result.kind);
+  link(!result.speed.curves.empty() && !result.charts.empty(), "speed", "Braking");
+  link(has_errors(result), "catalogue", "Every " + result.kind);
   link(true, "method", "Method");
   link(true, "timings", "Timings");
 }

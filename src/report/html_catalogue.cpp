@@ -140,7 +140,7 @@ void write_summary(Markup& page, const RunResult& result) {
 }  // namespace
 
 void write_catalogue(Markup& page, const RunResult& result) {
-  if (result.catalogue.empty()) return;
+  if (!has_errors(result)) return;
   const auto part =
       section(page, "catalogue", fmt::format("Past every {} of the catalogue", result.kind),
               "A controller that always reacts would never miss. So each also passes everything "

@@ -123,7 +123,7 @@ void write_outcomes(Markup& page, const RunResult& result) {
 
 void write_speed(Markup& page, const RunResult& result) {
   const SpeedPicture& picture = result.speed;
-  if (picture.curves.empty()) return;
+  if (picture.curves.empty() || result.charts.empty()) return;
   const auto part = section(
       page, "speed", "What “stop in n” feels like",
       fmt::format(

@@ -74,6 +74,12 @@ std::vector<std::string> bar_labels(const RunResult& result, std::string_view pr
   return labels;
 }
 
+bool has_errors(const RunResult& result) {
+  return !result.catalogue.empty() &&
+         std::any_of(result.controllers.begin(), result.controllers.end(),
+                     [](const Controller& c) { return c.verdict != Verdict::Unrealizable; });
+}
+
 std::string errors_explained(const RunResult& result) {
   return "“Can miss” counts the " + result.kind +
          "s that must be reacted to and that the controller passes without reacting in time with a "

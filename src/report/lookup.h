@@ -29,6 +29,9 @@ namespace heed::report {
 /// Labels of the bars in order of appearance, over all charts of \p profile (all profiles when empty).
 [[nodiscard]] std::vector<std::string> bar_labels(const RunResult& result, std::string_view profile = {});
 
+/// Whether anything drove past the catalogue: there is one, and a controller to judge.
+[[nodiscard]] bool has_errors(const RunResult& result);
+
 /// What "can miss" and "needlessly" mean, for whoever reads the counts.
 [[nodiscard]] std::string errors_explained(const RunResult& result);
 

@@ -80,7 +80,7 @@ tbody th { font-weight: 500; }
 .errors thead th.n { white-space: normal; font-size: .78rem; font-weight: 500; min-width: 3.4rem; line-height: 1.25; }
 .errors thead .who { flex-direction: column; align-items: flex-end; gap: .3em; }
 td code { white-space: nowrap; }
-#method td code { white-space: normal; }
+#method td code { white-space: normal; overflow-wrap: anywhere; }
 .errors tbody .other:not(.n) { font-size: .84rem; line-height: 1.55; white-space: nowrap; }
 .errors .group { color: var(--soft); font-weight: 600; font-size: .84rem; padding-top: 1.4em; background: none; }
 .errors .what { display: block; color: var(--soft); font-size: .8rem; font-weight: 400; }

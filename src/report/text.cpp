@@ -153,9 +153,7 @@ void Writer::outcomes() {
 }
 
 void Writer::catalogue() {
-  if (result_.catalogue.empty()) return;
-  const auto built = [](const Controller& c) { return c.verdict != Verdict::Unrealizable; };
-  if (std::none_of(result_.controllers.begin(), result_.controllers.end(), built)) return;
+  if (!has_errors(result_)) return;
   title(fmt::format("Past every {} of the catalogue", result_.kind));
   TextTable table({{"controller"},
                    {"reacts needlessly to", Align::Right},

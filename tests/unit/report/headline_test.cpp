@@ -61,6 +61,19 @@ TEST(Headline, SaysWhatIsRefutedOrImpossible) {
   EXPECT_THAT(sentences, Not(Contains(HasSubstr("base 66.7"))));
 }
 
+TEST(Headline, IsShortWhereNothingCanBeBuilt) {
+  RunResult result = sample::result();
+  for (Controller& controller : result.controllers) {
+    controller.verdict = Verdict::Unrealizable;
+    controller.reasons = {"in M1 there is no way out"};
+  }
+  result.charts.clear();
+  const auto sentences = headline_of(result);
+  ASSERT_EQ(sentences.size(), 4U);
+  EXPECT_EQ(sentences[0], "No controller exists");
+  EXPECT_EQ(sentences[1], "Base: in M1 there is no way out");
+}
+
 TEST(Headline, AdmitsThatSamplingContradicts) {
   RunResult result = sample::result();
   result.charts[4].p_value = 1e-9;
