@@ -172,7 +172,7 @@ void Parser::apply_prime(const Token& token) {
 }
 
 void Parser::close_parenthesis(const Token& token) {
-  reduce_while(bind_nothing, true);
+  reduce_while(BindNothing, true);
   if (pending_.empty())
     throw util::InputError(source_, token.offset, "syntax", "')' closes nothing",
                            "remove it, or add '(' before it");
@@ -182,7 +182,7 @@ void Parser::close_parenthesis(const Token& token) {
 }
 
 void Parser::finish() {
-  reduce_while(bind_nothing, true);
+  reduce_while(BindNothing, true);
   if (!pending_.empty())
     throw util::InputError(source_, pending_.back().offset, "syntax", "'(' is never closed", "add ')'");
   if (operands_.back().sort == Sort::Term)
@@ -237,7 +237,7 @@ void Parser::fail_operand(const Token& token) const {
     throw util::InputError(source_, token.offset, "syntax",
                            fmt::format("expected a formula{}, but the text ends", after));
   std::string hint;
-  if (token.kind == Token::Kind::Operator && binding(token.op) == bind_until)
+  if (token.kind == Token::Kind::Operator && binding(token.op) == BindUntil)
     hint = fmt::format("a name that is spelled like an operator is quoted: \"{}\"", token.text);
   if (token.kind == Token::Kind::Operator && token.op == Op::Sub) hint = "write 0 - x for the negative of x";
   throw util::InputError(source_, token.offset, "syntax",

@@ -7,58 +7,58 @@ namespace heed::logic {
 /// How tightly an operator binds; higher is tighter. Shared by reader and printer, so that they cannot
 /// disagree.
 enum Binding : int {
-  bind_nothing = 0,
-  bind_iff = 1,
-  bind_implies = 2,
-  bind_until = 3,
-  bind_or = 4,
-  bind_and = 5,
-  bind_prefix = 6,
-  bind_comparison = 7,
-  bind_sum = 8,
-  bind_product = 9,
-  bind_postfix = 10
+  BindNothing = 0,
+  BindIff = 1,
+  BindImplies = 2,
+  BindUntil = 3,
+  BindOr = 4,
+  BindAnd = 5,
+  BindPrefix = 6,
+  BindComparison = 7,
+  BindSum = 8,
+  BindProduct = 9,
+  BindPostfix = 10
 };
 
 [[nodiscard]] inline int binding(Op op) {
   switch (op) {
     case Op::Iff:
-      return bind_iff;
+      return BindIff;
     case Op::Implies:
-      return bind_implies;
+      return BindImplies;
     case Op::Until:
     case Op::WeakUntil:
     case Op::Release:
     case Op::Since:
-      return bind_until;
+      return BindUntil;
     case Op::Or:
-      return bind_or;
+      return BindOr;
     case Op::And:
-      return bind_and;
+      return BindAnd;
     case Op::Eq:
     case Op::Ne:
     case Op::Lt:
     case Op::Le:
     case Op::Gt:
     case Op::Ge:
-      return bind_comparison;
+      return BindComparison;
     case Op::Add:
     case Op::Sub:
-      return bind_sum;
+      return BindSum;
     case Op::Mul:
-      return bind_product;
+      return BindProduct;
     case Op::True:
     case Op::False:
     case Op::Name:
     case Op::Number:
-      return bind_postfix;
+      return BindPostfix;
     default:
-      return bind_prefix;
+      return BindPrefix;
   }
 }
 
 [[nodiscard]] inline bool is_right_associative(Op op) {
-  return op == Op::Implies || binding(op) == bind_until;
+  return op == Op::Implies || binding(op) == BindUntil;
 }
 [[nodiscard]] inline bool is_comparison(Op op) {
   return op >= Op::Eq && op <= Op::Ge;
@@ -67,7 +67,7 @@ enum Binding : int {
   return op >= Op::Add && op <= Op::Mul;
 }
 [[nodiscard]] inline bool is_prefix(Op op) {
-  return binding(op) == bind_prefix;
+  return binding(op) == BindPrefix;
 }
 
 }  // namespace heed::logic

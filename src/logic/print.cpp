@@ -89,7 +89,7 @@ class Printer {
   explicit Printer(Notation notation, std::size_t most = SIZE_MAX) : notation_(notation), most_(most) {}
 
   std::string print(const Formula& formula) {
-    todo_.push_back({&formula, bind_nothing, {}});
+    todo_.push_back({&formula, BindNothing, {}});
     while (!todo_.empty()) {
       if (out_.size() > most_) return out_ + "...";
       const Item item = std::move(todo_.back());
@@ -105,7 +105,7 @@ class Printer {
  private:
   struct Item {
     const Formula* formula = nullptr;
-    int level = bind_nothing;
+    int level = BindNothing;
     std::string text{};
   };
 
@@ -113,7 +113,7 @@ class Printer {
   void write_atom(const Formula& formula);
   void write_prefix(const Formula& formula);
   void write_infix(const Formula& formula);
-  void push(std::string text) { todo_.push_back({nullptr, bind_nothing, std::move(text)}); }
+  void push(std::string text) { todo_.push_back({nullptr, BindNothing, std::move(text)}); }
   void push(const Formula& formula, int level) { todo_.push_back({&formula, level, {}}); }
   [[nodiscard]] const char* sign(Op op) const;
   [[nodiscard]] std::string word(const char* text) const;
@@ -155,16 +155,16 @@ bool is_postfix_next(const Formula& formula) {
 void Printer::write(const Formula& formula, int level) {
   // Within a comparison or a sum the prime is all that binds tightly enough.
   const bool prefix =
-      (notation_ == Notation::Textbook || notation_ == Notation::Unicode) && level <= bind_prefix;
+      (notation_ == Notation::Textbook || notation_ == Notation::Unicode) && level <= BindPrefix;
   const bool postfix = formula.op() == Op::Next && is_postfix_next(formula) && !prefix;
-  const int own = postfix ? int{bind_postfix} : binding(formula.op());
+  const int own = postfix ? int{BindPostfix} : binding(formula.op());
   if (own < level) {
     out_ += '(';
     push(")");
   }
   if (postfix) {
     push("'");
-    push(formula[0], bind_postfix);
+    push(formula[0], BindPostfix);
   } else if (formula.operands().empty()) {
     write_atom(formula);
   } else if (is_prefix(formula.op())) {
@@ -194,11 +194,11 @@ void Printer::write_prefix(const Formula& formula) {
   const bool again = formula.op() == Op::Always && formula[0].op() == Op::Eventually;
   if (again && (notation_ == Notation::Ascii || notation_ == Notation::Textbook)) {
     out_ += "GF ";
-    push(formula[0][0], bind_prefix);
+    push(formula[0][0], BindPrefix);
     return;
   }
   out_ += sign(formula.op());
-  push(formula[0], bind_prefix);
+  push(formula[0], BindPrefix);
 }
 
 void Printer::write_infix(const Formula& formula) {
