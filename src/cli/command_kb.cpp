@@ -2,6 +2,7 @@
 #include "evidence.h"
 #include "inputs.h"
 #include "output.h"
+#include "second_opinion.h"
 
 #include <heed/awareness/explain.h>
 #include <heed/job/knowledge.h>
@@ -205,9 +206,11 @@ int kb_command(const Arguments& arguments) {
   util::Diagnostics notes;
   const job::KnowledgePart part = knowledge_part(arguments, budget, notes);
   const job::Knowledge knowledge = job::load_knowledge(part, arguments.limits(), budget);
+  const auto second = second_opinion(arguments.text("--reasoner", "own"), knowledge, budget);
   if (arguments.json()) {
     Json out = document(knowledge);
     if (arguments.has("--evidence")) out["evidence"] = evidence_of(arguments, knowledge).json;
+    if (second) out["second_opinion"] = second->json;
     out["notes"] = to_json(notes);
     print_json(out);
     return 0;
@@ -217,6 +220,7 @@ int kb_command(const Arguments& arguments) {
       notes.push_back(diagnostic);
   print_diagnostics(notes);
   print(text(knowledge, arguments.has("--quiet")));
+  if (second) print(second->text);
   if (arguments.has("--evidence")) print(evidence_of(arguments, knowledge).text);
   return 0;
 }

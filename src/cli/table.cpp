@@ -44,7 +44,9 @@ std::vector<Command> scenario_commands() {
        with_knowledge(
            {{"--quiet", "", "", "", "Only the warnings"},
             {"--evidence", "", "", "",
-             "Also what each entity is recognised by and confused with, and what is certain meanwhile"}}),
+             "Also what each entity is recognised by and confused with, and what is certain meanwhile"},
+            {"--reasoner", "WORD", "own", "own|konclude",
+             "Also ask Konclude, where it is installed, and say what it adds"}}),
        "heed kb examples/stop-sign/traffic-signs.owl",
        kb_command},
       {"explain",

@@ -16,6 +16,13 @@ check 'kb' exits 0 "$heed" kb "$ontology"
 check 'kb shows the stop sign' says 'stop (stop_sign): white, has ground colour red'
 check 'kb --json' exits 0 "$heed" kb "$ontology" --json
 check 'kb --json is JSON' is_json
+check 'kb --reasoner refuses what it does not know' exits 2 "$heed" kb "$ontology" --reasoner=fact
+if command -v Konclude >/dev/null; then
+  check 'kb --reasoner=konclude' exits 0 "$heed" kb "$ontology" --reasoner=konclude
+  check 'Konclude agrees on the stop sign' says 'Konclude: says the same of every class'
+else
+  echo 'skipped: no Konclude (Debian: konclude)'
+fi
 check 'explain a reaction' exits 0 "$heed" explain "$scenario" Halt --controller awareness --seen sign,red
 check 'explain says why' says 'prescribes some halt'
 check 'explain an entity of an ontology' exits 0 "$heed" explain "$ontology" StopSign
