@@ -1,7 +1,7 @@
 # One command per chore; what it needs is installed by scripts/setup.
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
-.PHONY: demo test bench corpus nightly format lint sanitize install clean
+.PHONY: demo test bench corpus nightly fuzz format lint sanitize install clean
 
 demo:                ## install, build, run the case study, write the report
 	@scripts/setup core
@@ -40,6 +40,12 @@ bench:               ## build and run the benchmarks
 
 nightly: test sanitize lint   ## what takes longer: everything, with the slow sets
 	@HEED_SLOW=1 ctest --preset dev -j $(JOBS)
+	@scripts/fuzz $(FUZZ_SECONDS)
+
+FUZZ_SECONDS ?= 60
+fuzz:                ## the fuzz targets, FUZZ_SECONDS each (make nightly FUZZ_SECONDS=600 for a long night)
+	@scripts/setup core test extras
+	@scripts/fuzz $(FUZZ_SECONDS)
 
 format:              ## rewrite the sources in the house style
 	@scripts/setup extras
