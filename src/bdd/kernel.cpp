@@ -68,6 +68,17 @@ void Kernel::grow_nodes(std::size_t at_least) {
         util::LimitExceeded::Kind::Memory,
         "limit of " + std::to_string(options.max_nodes) + " decision diagram nodes reached");
   reserve((size - capacity_) * sizeof(Node));
+  resize_nodes(size);
+}
+
+void Kernel::grow_without_asking(std::size_t size) {
+  if (size > node_limit)
+    throw util::LimitExceeded(util::LimitExceeded::Kind::Memory,
+                              "no more decision diagram nodes can be numbered");
+  resize_nodes(size);
+}
+
+void Kernel::resize_nodes(std::size_t size) {
   // realloc moves large blocks by page tables, so growth neither copies nor needs both at once.
   auto* grown = static_cast<Node*>(std::realloc(static_cast<void*>(nodes_.get()), size * sizeof(Node)));
   if (grown == nullptr)

@@ -114,6 +114,7 @@ class Kernel {
   };
 
   std::uint32_t take_slot() {
+    assert(free_ != 0 || used_ < capacity_);
     if (free_ == 0) return used_++;
     const std::uint32_t index = free_;
     free_ = nodes_.get()[index].next;
@@ -129,6 +130,9 @@ class Kernel {
   [[nodiscard]] std::uint64_t work_bound() const;
   void sift_now();
   void grow_nodes(std::size_t at_least);
+  /// Past the bounds of options and budget, where an operation cannot stop.
+  void grow_without_asking(std::size_t size);
+  void resize_nodes(std::size_t size);
   void grow_table(UniqueTable& table);
   void reserve(std::size_t bytes);
   void mark(Edge edge);

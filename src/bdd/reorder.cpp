@@ -122,12 +122,25 @@ std::size_t Reorderer::nodes_at_stake(const Block& block, const Block& other) co
   return 0;
 }
 
+/// A level that passes another makes at most two nodes of each of its own, and may have twice as many
+/// afterwards: a block that passes two levels makes six of each. What a longer block needs beyond that is
+/// taken without asking in swap_levels(), for a block stopped half-way would not stand together.
 void Reorderer::ensure_room(std::size_t position) {
   if (kernel_.budget != nullptr) kernel_.budget->check();
-  const std::size_t wanted = 2 * (block_nodes(blocks_[position]) + block_nodes(blocks_[position + 1]));
-  const std::size_t room = kernel_.free_count_ + (kernel_.capacity_ - kernel_.used_);
-  if (wanted <= room) return;
-  kernel_.grow_nodes(kernel_.capacity_ + (wanted - room));
+  const std::size_t wanted = 6 * block_nodes(blocks_[position]);
+  if (wanted <= room()) return;
+  kernel_.grow_nodes(kernel_.capacity_ + (wanted - room()));
+  parents_.resize(kernel_.capacity_, 0);
+}
+
+std::size_t Reorderer::room() const {
+  return std::size_t{kernel_.free_count_} + (kernel_.capacity_ - kernel_.used_);
+}
+
+void Reorderer::ensure_room_for_level(std::uint32_t upper) {
+  const std::size_t wanted = 2 * std::size_t{kernel_.tables_[upper].count};
+  if (wanted <= room()) return;
+  kernel_.grow_without_asking(kernel_.capacity_ + (wanted - room()));
   parents_.resize(kernel_.capacity_, 0);
 }
 
@@ -148,6 +161,7 @@ void Reorderer::swap_levels(std::uint32_t upper_level) {
   std::swap(kernel_.at_level_[upper_level], kernel_.at_level_[upper_level + 1]);
   std::swap(kernel_.level_of_[upper], kernel_.level_of_[lower]);
   if (!interact(upper, lower)) return;
+  ensure_room_for_level(upper);
   kernel_.counts_.node_swaps += kernel_.tables_[upper].count;
   std::uint32_t list = detach_dependent(upper, lower);
   while (list != 0) {

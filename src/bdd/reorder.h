@@ -44,6 +44,8 @@ class Reorderer {
   void drop(Edge edge, std::uint32_t lower);
   void insert(std::uint32_t index);
   void ensure_room(std::size_t position);
+  void ensure_room_for_level(std::uint32_t upper);
+  [[nodiscard]] std::size_t room() const;
 
   void count_parents();
   void find_interactions();

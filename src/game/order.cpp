@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <string>
 #include <unordered_map>
@@ -130,19 +131,82 @@ std::vector<std::size_t> one_round(const std::vector<Edge>& edges, const std::ve
   return moved;
 }
 
+/// Which variable each one stands beside: itself, or the one that shares most of its clauses. A request that
+/// is spoken of with its grant alone belongs beside it, wherever a hundred grants that exclude each other
+/// pull one another.
+std::vector<std::size_t> hosts_of(const std::vector<Edge>& edges, std::size_t variables) {
+  std::vector<std::map<std::size_t, double>> shared(variables);
+  std::vector<std::size_t> degree(variables, 0);
+  for (const Edge& edge : edges) {
+    for (const std::size_t variable : edge) {
+      ++degree[variable];
+      if (edge.size() > most_together) continue;
+      for (const std::size_t other : edge)
+        shared[variable][other] += 1.0 / static_cast<double>(edge.size() - 1);
+    }
+  }
+  std::vector<std::size_t> hosts(variables);
+  std::iota(hosts.begin(), hosts.end(), std::size_t{0});
+  for (std::size_t variable = 0; variable < variables; ++variable) {
+    double most = static_cast<double>(degree[variable]) / 2;
+    for (const auto& [other, share] : shared[variable]) {
+      // Hosts have more clauses than their guests, so that nobody is the guest of a guest's guest for ever.
+      if (degree[other] <= degree[variable] || share <= most) continue;
+      most = share;
+      hosts[variable] = other;
+    }
+  }
+  return hosts;
+}
+
+/// The edges between hosts; guests are left where they are.
+std::vector<Edge> between_hosts(const std::vector<Edge>& edges, const std::vector<std::size_t>& hosts) {
+  std::vector<Edge> result;
+  for (Edge edge : edges) {
+    for (std::size_t& variable : edge)
+      while (hosts[variable] != variable) variable = hosts[variable];
+    std::sort(edge.begin(), edge.end());
+    edge.erase(std::unique(edge.begin(), edge.end()), edge.end());
+    if (edge.size() > 1) result.push_back(std::move(edge));
+  }
+  return result;
+}
+
+/// \p order with every guest behind its host.
+std::vector<std::size_t> with_guests(const std::vector<std::size_t>& order,
+                                     const std::vector<std::size_t>& hosts) {
+  std::vector<std::vector<std::size_t>> guests(order.size());
+  for (const std::size_t variable : order)
+    if (hosts[variable] != variable) guests[hosts[variable]].push_back(variable);
+  std::vector<std::size_t> result;
+  for (const std::size_t variable : order) {
+    if (hosts[variable] != variable) continue;
+    std::vector<std::size_t> open{variable};
+    while (!open.empty()) {
+      const std::size_t here = open.back();
+      open.pop_back();
+      result.push_back(here);
+      open.insert(open.end(), guests[here].rbegin(), guests[here].rend());
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::size_t> static_order(const spec::Gr1& spec) {
   const Edges graph(spec);
+  const std::vector<std::size_t> hosts = hosts_of(graph.edges(), graph.variables());
+  const std::vector<Edge> edges = between_hosts(graph.edges(), hosts);
   std::vector<std::size_t> position(graph.variables());
   std::iota(position.begin(), position.end(), std::size_t{0});
   std::vector<std::size_t> best = position;
-  std::uint64_t best_span = total_span(graph.edges(), position);
+  std::uint64_t best_span = total_span(edges, position);
   constexpr int most_rounds = 200;
   constexpr int patience = 10;
   for (int round = 0, stale = 0; round < most_rounds && stale < patience; ++round, ++stale) {
-    position = one_round(graph.edges(), position);
-    const std::uint64_t span = total_span(graph.edges(), position);
+    position = one_round(edges, position);
+    const std::uint64_t span = total_span(edges, position);
     if (span >= best_span) continue;
     best_span = span;
     best = position;
@@ -150,7 +214,7 @@ std::vector<std::size_t> static_order(const spec::Gr1& spec) {
   }
   std::vector<std::size_t> order(best.size());
   for (std::size_t i = 0; i < best.size(); ++i) order[best[i]] = i;
-  return order;
+  return with_guests(order, hosts);
 }
 
 }  // namespace heed::game

@@ -173,6 +173,36 @@ TEST(Reordering, SiftingFindsTheLinearOrder) {
   EXPECT_GT(manager.statistics().node_swaps, 0U);
 }
 
+// Blocks of two levels that pass each other make up to six nodes of each: the tables, started as small as can
+// be, have to keep pace on the way to an order that doubles the diagram with every pair.
+TEST(Reordering, TablesKeepPaceWithADiagramThatGrows) {
+  for (std::size_t half = 2; half <= 9; ++half) {
+    ManagerOptions options;
+    options.initial_nodes = 16;
+    options.automatic_reordering = false;
+    Manager manager(options);
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < 2 * half; ++i) pairs.push_back(manager.new_pair());
+    Bdd equal = manager.constant(true);
+    for (std::size_t i = 0; i < half; ++i) {
+      const Bdd here = manager.variable(pairs[2 * i].current) ^ manager.variable(pairs[2 * i].next);
+      const Bdd there = manager.variable(pairs[2 * i + 1].current) | manager.variable(pairs[2 * i + 1].next);
+      equal &= here.iff(there);
+    }
+    const std::string count = equal.count_decimal(4 * half);
+    std::vector<Var> apart;
+    for (const std::size_t first : {0, 1})
+      for (std::size_t i = first; i < 2 * half; i += 2)
+        apart.insert(apart.end(), {pairs[i].current, pairs[i].next});
+    manager.set_order(apart);
+    EXPECT_TRUE(manager.consistent()) << half;
+    EXPECT_EQ(equal.count_decimal(4 * half), count);
+    manager.sift();
+    EXPECT_TRUE(manager.consistent()) << half;
+    EXPECT_EQ(equal.count_decimal(4 * half), count);
+  }
+}
+
 TEST(Reordering, HappensByItselfInsideAnOperationThatOutgrowsTheOrder) {
   ManagerOptions options;
   options.initial_nodes = 64;
