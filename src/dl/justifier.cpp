@@ -4,12 +4,14 @@
 #include "saturation.h"
 
 #include <algorithm>
+#include <deque>
 #include <functional>
+#include <set>
 
 // The saturation notes for each conclusion the premises of its first derivation. Following them back from an
 // answer gives a set of axioms that suffices and is small, mostly minimal already. Then axioms are taken out,
-// in ever smaller chunks and at last one by one; what must stay stays. Following all derivations instead
-// would give all justifications, which nobody here needs and which may be exponentially many.
+// in ever smaller chunks and at last one by one; what must stay stays. All justifications, of which there may
+// be exponentially many, are found by a hitting-set tree: any other lacks an axiom of each one known.
 
 namespace heed::dl {
 
@@ -44,7 +46,10 @@ class Justifier::Impl {
     prepare(about);
     Question question(whole->base, budget);
     if (!ask(question)) return std::nullopt;
-    std::vector<owl::AxiomId> kept = question.axioms();
+    return minimal(question.axioms(), ask);
+  }
+
+  std::vector<owl::AxiomId> minimal(std::vector<owl::AxiomId> kept, const Ask& ask) {
     for (std::size_t chunk = kept.size() > few ? kept.size() / 4 : 1;;
          chunk = std::max<std::size_t>(chunk / 2, 1)) {
       contract(kept, chunk, ask);
@@ -52,7 +57,54 @@ class Justifier::Impl {
     }
   }
 
+  /// The tree breadth first; its nodes are sets of axioms that are left out.
+  Justifications justify_all(const Ask& ask, const owl::ClassExpression& about, std::size_t most) {
+    Justifications out;
+    const auto first = justify(ask, about);
+    if (!first || most == 0) return {{}, !first};
+    out.sets.push_back(*first);
+    std::deque<std::set<owl::AxiomId>> open{{}};
+    std::set<std::set<owl::AxiomId>> known{{}};
+    for (; !open.empty(); open.pop_front()) {
+      const auto* label = without(open.front(), out.sets);
+      if (label == nullptr) {
+        auto found = justify_without(open.front(), ask);
+        if (!found) continue;
+        if (out.sets.size() == most) return out.complete = false, out;
+        out.sets.push_back(std::move(*found));
+        label = &out.sets.back();
+      }
+      for (const owl::AxiomId axiom : *label) {
+        auto more = open.front();
+        more.insert(axiom);
+        if (known.insert(more).second) open.push_back(std::move(more));
+      }
+    }
+    return out;
+  }
+
  private:
+  /// One of \p sets that has none of \p gone.
+  static const std::vector<owl::AxiomId>* without(const std::set<owl::AxiomId>& gone,
+                                                  const std::vector<std::vector<owl::AxiomId>>& sets) {
+    for (const auto& set : sets)
+      if (std::none_of(set.begin(), set.end(), [&](owl::AxiomId id) { return gone.contains(id); }))
+        return &set;
+    return nullptr;
+  }
+
+  std::optional<std::vector<owl::AxiomId>> justify_without(const std::set<owl::AxiomId>& gone,
+                                                           const Ask& ask) {
+    budget.check();
+    std::vector<owl::AxiomId> rest;
+    for (const owl::Axiom& axiom : ontology.axioms())
+      if (!gone.contains(axiom.id)) rest.push_back(axiom.id);
+    Part part(ontology, &rest, budget, true);
+    Question question(part.base, budget);
+    if (!ask(question)) return std::nullopt;
+    return minimal(question.axioms(), ask);
+  }
+
   void prepare(const owl::ClassExpression& about) {
     std::vector<const owl::ClassExpression*> open = {&about};
     while (!open.empty()) {
@@ -109,6 +161,11 @@ std::optional<std::vector<owl::AxiomId>> Justifier::type(owl::Iri individual,
 std::optional<std::vector<owl::AxiomId>> Justifier::inconsistent() {
   return impl_->justify(
       [&](Question& question) { return !question.satisfiable(owl::ClassExpression::thing()); });
+}
+
+Justifications Justifier::all_subsumption(const owl::ClassExpression& sub, const owl::ClassExpression& super,
+                                          std::size_t most) {
+  return impl_->justify_all([&](Question& question) { return question.subsumption(sub, super); }, sub, most);
 }
 
 }  // namespace heed::dl

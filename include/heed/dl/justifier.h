@@ -10,6 +10,12 @@
 
 namespace heed::dl {
 
+/// Several sets of axioms, each of them minimal.
+struct Justifications {
+  std::vector<std::vector<owl::AxiomId>> sets;  ///< Ids ascending; in the order in which they were found.
+  bool complete = true;                         ///< There are no others.
+};
+
 /// Subset-minimal sets of axioms from which something follows: the recorded inferences give a small set that
 /// suffices, deletion makes it minimal. Everything returned entails the question and, without any one axiom,
 /// no longer does (both as far as Reasoner sees). Deterministic. \cite kazakov.14.jar \cite kalyanpur.07.iswc
@@ -29,6 +35,11 @@ class Justifier {
   [[nodiscard]] std::optional<std::vector<owl::AxiomId>> type(owl::Iri individual,
                                                               const owl::ClassExpression& of);
   [[nodiscard]] std::optional<std::vector<owl::AxiomId>> inconsistent();
+
+  /// Up to \p most of all justifications, found by leaving out an axiom of each one found; none when it is
+  /// not entailed. Exponentially many may exist. \cite reiter.87.aij
+  [[nodiscard]] Justifications all_subsumption(const owl::ClassExpression& sub,
+                                               const owl::ClassExpression& super, std::size_t most);
 
  private:
   class Impl;

@@ -1,6 +1,7 @@
 #include "support.h"
 
 #include <algorithm>
+#include <set>
 
 namespace heed::dl::test {
 namespace {
@@ -85,6 +86,56 @@ TEST(Justifier, TypesAndInconsistency) {
   Justifier why(broken.ontology, budget);
   ASSERT_TRUE(why.inconsistent());
   EXPECT_EQ(why.inconsistent()->size(), 4U);
+}
+
+/// All minimal sets of axioms, by trying every set.
+std::set<std::vector<owl::AxiomId>> by_trying(const std::string& text, const Asked& whole,
+                                              const std::string& sub, const std::string& super) {
+  std::vector<owl::AxiomId> logical;
+  for (const owl::Axiom& axiom : whole.ontology.axioms())
+    if (owl::is_logical(axiom)) logical.push_back(axiom.id);
+  std::vector<unsigned> entailing;
+  for (unsigned bits = 0; bits < 1U << logical.size(); ++bits) {
+    if (std::any_of(entailing.begin(), entailing.end(), [&](unsigned e) { return (bits & e) == e; }))
+      continue;
+    std::vector<owl::AxiomId> kept;
+    for (std::size_t i = 0; i < logical.size(); ++i)
+      if ((bits >> i & 1U) != 0) kept.push_back(logical[i]);
+    const Asked part(declarations + lines_of(text, whole.ontology, kept));
+    if (part.below(sub, super)) entailing.push_back(bits);
+  }
+  std::set<std::vector<owl::AxiomId>> out;
+  for (const unsigned bits : entailing) {
+    const bool smallest = std::none_of(entailing.begin(), entailing.end(),
+                                       [&](unsigned e) { return e != bits && (bits & e) == e; });
+    std::vector<owl::AxiomId> kept;
+    for (std::size_t i = 0; i < logical.size(); ++i)
+      if ((bits >> i & 1U) != 0) kept.push_back(logical[i]);
+    if (smallest) out.insert(kept);
+  }
+  return out;
+}
+
+TEST(Justifier, FindsAllMinimalSets) {
+  const std::string text = declarations +
+                           ":A rdfs:subClassOf :B.\n:A rdfs:subClassOf :C.\n:B rdfs:subClassOf :D.\n:C "
+                           "rdfs:subClassOf :D.\n:A rdfs:subClassOf :D.\n:B rdfs:subClassOf :C.\n:D "
+                           "rdfs:subClassOf :Q.\n:A rdfs:subClassOf [owl:onProperty :r; owl:someValuesFrom "
+                           ":B].\n:r rdfs:domain :C.\n";
+  const Asked whole(text);
+  util::Budget budget;
+  Justifier justifier(whole.ontology, budget);
+  for (const std::string super : {"C", "D", "Q"}) {
+    const Justifications all = justifier.all_subsumption(whole.cls("A"), whole.cls(super), 100);
+    EXPECT_TRUE(all.complete);
+    EXPECT_EQ((std::set<std::vector<owl::AxiomId>>(all.sets.begin(), all.sets.end())),
+              by_trying(text, whole, "A", super))
+        << super;
+  }
+  const Justifications some = justifier.all_subsumption(whole.cls("A"), whole.cls("D"), 2);
+  EXPECT_FALSE(some.complete);
+  EXPECT_EQ(some.sets.size(), 2U);
+  EXPECT_TRUE(justifier.all_subsumption(whole.cls("D"), whole.cls("A"), 2).sets.empty());
 }
 
 }  // namespace
