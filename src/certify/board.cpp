@@ -296,7 +296,7 @@ Bdd Board::doomed() const {
 }
 
 Bdd Board::escapes(const Bdd& from, const Bdd& target) const {
-  const Bdd avoided = moves_(from.minus(answers_(target)));
+  const Bdd avoided = from & moves_(!answers_(target));
   if (!moore()) return avoided | (from & doomed_);
   // No answer, given before the next observation is known, is safe from all of them.
   const Bdd safe = from.minus(avoided | doomed_);

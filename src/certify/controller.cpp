@@ -143,19 +143,23 @@ class ControllerCheck {
     return false;
   }
 
-  /// No legal step from `winning` lies in \p steps.
-  void never(const Bdd& steps, const std::string& what) {
-    const Bdd bad = winning_ & steps;
-    if (board_.forced(bad).is_false())
-      findings_.none(board_.encoding().constant(false), what);
-    else
-      findings_.none(board_.legal(bad), what);
+  /// Legal steps from \p from, with the goal's answers, that lie in \p steps. Sets before and after a step
+  /// have little to do with each other, and the answers with neither: what is legal comes first and holds
+  /// them together, the answers come last.
+  [[nodiscard]] Bdd taken(const Bdd& from, const Bdd& steps, const Tables::Goal& goal) const {
+    Bdd left = from & board_.legal(steps);
+    for (std::size_t i = outputs_.size(); i-- > 0 && !left.is_false();) {
+      const Bdd bit = board_.encoding().manager().variable(outputs_[i]);
+      left = left.and_exists(bit.iff(goal.answers[i]), bit);
+    }
+    return left;
   }
 
   void columns() {
-    never(!tables_.legal, "a legal observation is not answered");
+    findings_.none(winning_ & board_.legal(!tables_.legal), "a legal observation is not answered");
     for (std::size_t i = 0; i < tables_.updates.size(); ++i)
-      never(tables_.updates[i] ^ board_.updates[i], "a memory is not what the specification says");
+      findings_.none(winning_ & board_.legal(tables_.updates[i] ^ board_.updates[i]),
+                     "a memory is not what the specification says");
     for (std::size_t i = 0; i < tables_.derived.size(); ++i)
       findings_.none(winning_ & (tables_.derived[i] ^ board_.encoding().definitions()[i]),
                      fmt::format("'{}' is not what its definition says", board_.spec().definitions[i].name));
@@ -164,16 +168,17 @@ class ControllerCheck {
   void check_goal(std::size_t number) {
     const Tables::Goal& goal = tables_.goals[number];
     const std::string name = fmt::format("goal '{}'", board_.sys_justice[number].text);
-    const auto answered = [&](const Bdd& steps) { return put_in(steps, outputs_, goal.answers); };
     if (board_.moore())
       findings_.require(!depends(goal.answers, {Owner::Input, Owner::Memory}, true),
                         "an answer depends on the observation of the same step");
+    const auto never = [&](const Bdd& steps, const std::string& what) {
+      findings_.none(taken(winning_, steps, goal), what);
+    };
     for (std::size_t i = 0; i < board_.sys_steps.size() && findings_.sound(); ++i)
-      never(answered(!board_.sys_steps[i]),
+      never(!board_.sys_steps[i],
             fmt::format("on the way to {} a guarantee is broken: {}", name, board_.sys_texts[i]));
-    never(answered(!winning_.next()),
-          fmt::format("on the way to {} a state is reached that is not won", name));
-    never(answered(goal.met.minus(board_.sys_justice[number].relation)),
+    never(!winning_.next(), fmt::format("on the way to {} a state is reached that is not won", name));
+    never(goal.met.minus(board_.sys_justice[number].relation),
           fmt::format("{} is taken to be met where it is not", name));
     if (!findings_.sound()) return;
     Ranking ranking{{goal.met, !of_states(board_, {goal.met}), {}}, {}};
@@ -181,8 +186,7 @@ class ControllerCheck {
       ranking.ranks.push_back({goal.ranks[k], controller_.goals[number].ranks[k].assumption});
     check_ranking(
         board_, winning_, ranking, name,
-        [&](const Bdd& from, const Bdd& target) { return board_.forced(from & answered(!target)); },
-        findings_);
+        [&](const Bdd& from, const Bdd& target) { return taken(from, !target, goal); }, findings_);
   }
 
   const model::SymbolicController& controller_;

@@ -22,13 +22,15 @@ class RuleMaker {
         budget_(budget),
         goal_(goal),
         never_(game.manager->constant(false)),
-        safe_(region.winning) {
+        safe_(game.manager->constant(true)) {
     for (const game::Part& part : game.sys_safety) safe_ &= part.relation;
     meet_ = (safe_ & game.sys_justice[goal].relation).and_next(region.winning);
   }
 
   Rule mealy() {
-    const Bdd unmet = !answered(meet_);
+    const game::Justice& J_sys = game_.sys_justice[goal_];
+    // A goal of states is met from where it holds and from nowhere else, whatever the next input is.
+    const Bdd unmet = J_sys.step ? !answered(meet_) : !J_sys.relation;
     Rule rule{meet_, never_};
     each_rank([&](std::size_t k, const Bdd& rank, const Bdd& below) {
       const Bdd open = rank & unmet;
@@ -102,7 +104,7 @@ class RuleMaker {
   util::Budget& budget_;
   std::size_t goal_;
   Bdd never_;
-  Bdd safe_;  ///< rho_s from a winning state.
+  Bdd safe_;  ///< rho_s. Where it starts is not said: together with where it ends that makes large diagrams.
   Bdd meet_;
 };
 
