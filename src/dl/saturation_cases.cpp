@@ -12,6 +12,7 @@ namespace {
 /// Suppositions on suppositions, and all together: enough for definitions that people write.
 constexpr std::uint8_t most_nested = 2;
 constexpr std::size_t most_suppositions = 20'000;
+constexpr std::size_t most_of_a_question = 500;
 constexpr std::size_t most_cases = 24;
 
 }  // namespace
@@ -19,7 +20,8 @@ constexpr std::size_t most_cases = 24;
 /// The context of the things of \p x that are \p c; nothing_known when that looks too far ahead.
 ContextId Saturation::supposed(ContextId id, Concept c) {
   const Context& x = own(id);
-  if (x.supposed >= most_nested || suppositions_ >= most_suppositions) return nothing_known;
+  const std::size_t most = base_ == nullptr ? most_suppositions : most_of_a_question;
+  if (x.supposed >= most_nested || suppositions_ >= most) return nothing_known;
   std::vector<Concept> core = x.core;
   core.insert(std::upper_bound(core.begin(), core.end(), c), c);
   const auto nested = static_cast<std::uint8_t>(x.supposed + 1);

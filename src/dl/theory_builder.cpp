@@ -134,11 +134,15 @@ void TheoryBuilder::drop(const std::string& why) {
 
 void TheoryBuilder::drop_losses(unsigned loss) {
   static constexpr std::pair<unsigned, const char*> texts[] = {
-      {UnionRight, "a union or enumeration on the right of an inclusion"},
-      {ComplementLeft, "a complement on the left of an inclusion"},
-      {UniversalLeft, "a universal restriction on the left of an inclusion"},
+      {UnionRight,
+       "a union or enumeration on the right of an inclusion is used by cases, to a bounded depth"},
+      {ComplementLeft, "a complement on the left of an inclusion is used by refutation, to a bounded depth"},
+      {UniversalLeft,
+       "a universal restriction on the left of an inclusion is used by refutation, to a bounded depth"},
       {NumberRight, "a number restriction other than `max 0`, `max 1` and `min 1`"},
-      {NumberLeft, "a number restriction on the left of an inclusion"},
+      {NumberLeft,
+       "a number restriction on the left of an inclusion is used only where successors that are told to "
+       "differ reach it"},
       {DataRangeLoss, "a data range is only compared by its text"},
       {SelfLeft, "a self restriction on the left of an inclusion"},
       {KindLoss, "an expression over several data properties"}};
