@@ -6,9 +6,8 @@
 
 namespace heed::awareness {
 
-/// Why \p sub is below \p super: told edges if they lead there, else a justification by the reasoner.
+/// Why \p sub is below \p super, where told edges do not lead there.
 Axioms Builder::because(owl::Iri sub, owl::Iri super) {
-  if (const auto told = told_.concepts.path(sub, super)) return *told;
   const auto expression = owl::ClassExpression::named(super);
   const auto found = is_individual(sub)
                          ? justifier_.type(sub, expression)

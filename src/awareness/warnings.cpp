@@ -75,9 +75,10 @@ std::string Builder::gained_behaviours(std::size_t entity, std::size_t ancestor)
 /// Only the outermost pairs: what follows from an unasserted subsumption by asserted ones is not repeated.
 void Builder::warn_subsumptions() {
   const auto& entities = catalogue_.entities;
-  const auto told = [&](std::size_t d, std::size_t e) {
-    return told_.concepts.path(entities[d].iri, entities[e].iri).has_value();
-  };
+  std::vector<std::map<owl::Iri, Axioms>> told_above;
+  told_above.reserve(entities.size());
+  for (const Entity& entity : entities) told_above.push_back(told_.concepts.above(entity.iri));
+  const auto told = [&](std::size_t d, std::size_t e) { return told_above[d].contains(entities[e].iri); };
   for (std::size_t d = 0; d < entities.size(); ++d)
     for (const Entailed& up : entities[d].ancestors) {
       if (!entities[d].satisfiable || told(d, up.index)) continue;
