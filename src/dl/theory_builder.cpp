@@ -111,8 +111,10 @@ void TheoryBuilder::place_datatype(Concept c, owl::Iri datatype) {
   std::string name(ontology_.text(datatype));
   for (std::string next = datatype_above(name); !next.empty(); next = datatype_above(name)) {
     name = std::move(next);
-    if (const auto known = ontology_.find(name))
-      theory_.told_[c].push_back({data_range(owl::DataRange::datatype(*known)), 0});
+    const auto known = ontology_.find(name);
+    if (!known) continue;
+    const Concept super = data_range(owl::DataRange::datatype(*known));
+    theory_.told_[c].push_back({super, 0});
   }
   if (!is_primitive_datatype(name)) return;
   const auto [place, is_new] =
