@@ -192,18 +192,18 @@ Formula operator!(const Formula& a) {
 namespace {
 
 /// And / Or of \p parts: `unit` disappears, `zero` decides, nested ones of the same kind are spliced in.
-Formula combine(Op op, const std::vector<Formula>& parts, Op unit, Op zero) {
+Formula combine(Op op, std::vector<Formula>&& parts, Op unit, Op zero) {
   std::vector<Formula> flat;
-  const auto add = [&flat](const Formula& part) {
-    if (flat.empty() || !(flat.back() == part)) flat.push_back(part);
+  const auto add = [&flat](Formula part) {
+    if (flat.empty() || !(flat.back() == part)) flat.push_back(std::move(part));
   };
-  for (const Formula& part : parts) {
+  for (Formula& part : parts) {
     if (part.op() == zero) return part;
     if (part.op() == unit) continue;
     if (part.op() == op)
       for (const Formula& inner : part.operands()) add(inner);
     else
-      add(part);
+      add(std::move(part));
   }
   if (flat.empty()) return truth(unit == Op::True);
   if (flat.size() == 1) return flat.front();
@@ -213,11 +213,11 @@ Formula combine(Op op, const std::vector<Formula>& parts, Op unit, Op zero) {
 }  // namespace
 
 Formula all_of(std::vector<Formula> parts) {
-  return combine(Op::And, parts, Op::True, Op::False);
+  return combine(Op::And, std::move(parts), Op::True, Op::False);
 }
 
 Formula any_of(std::vector<Formula> parts) {
-  return combine(Op::Or, parts, Op::False, Op::True);
+  return combine(Op::Or, std::move(parts), Op::False, Op::True);
 }
 
 Formula operator&&(const Formula& a, const Formula& b) {

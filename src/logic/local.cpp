@@ -287,9 +287,9 @@ Formula LocalCompiler::now_of(const Formula& node) {
   }
   const std::size_t index = monitor(node, initial);
   const Formula before = name(result_.monitors[index].name);
-  const Formula unrolled = node.op() == Op::Once           ? value(node[0]) || before
-                           : node.op() == Op::Historically ? value(node[0]) && before
-                                                           : value(node[1]) || (value(node[0]) && before);
+  Formula unrolled = node.op() == Op::Once           ? value(node[0]) || before
+                     : node.op() == Op::Historically ? value(node[0]) && before
+                                                     : value(node[1]) || (value(node[0]) && before);
   result_.monitors[index].update = unrolled;
   return unrolled;
 }

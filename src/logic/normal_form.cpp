@@ -40,7 +40,6 @@ Formula build_positive(const Formula& node, const std::vector<Formula>& r) {
     case Op::And:
       return all_of(r);
     case Op::Or:
-      return any_of(r);
     case Op::Implies:
       return any_of(r);
     case Op::Iff:
@@ -59,7 +58,6 @@ Formula build_negative(const Formula& node, const std::vector<Formula>& r) {
     case Op::And:
       return any_of(r);
     case Op::Or:
-      return all_of(r);
     case Op::Implies:
       return all_of(r);
     case Op::Iff:
@@ -106,7 +104,7 @@ Formula negation_normal_form(const Formula& formula, Locality& locality) {
     if (part.formula.op() >= Op::Previous) refuse(part.formula, "a future operator stands below a past one");
     return polarities(part);
   };
-  const auto build = [&locality](const InContext& part, std::vector<Formula> results) {
+  const auto build = [&locality](const InContext& part, const std::vector<Formula>& results) {
     const bool negated = part.context == 1;
     if (locality.is_local(part.formula)) return negated ? !part.formula : part.formula;
     return negated ? build_negative(part.formula, results) : build_positive(part.formula, results);

@@ -22,7 +22,7 @@ Formula substitute(const Formula& formula,
   for (const Formula& node : postorder(formula)) {
     if (node.op() == Op::Name) {
       auto replaced = replacement(node.name());
-      done.emplace(node.identity(), replaced ? std::move(*replaced) : node);
+      done.emplace(node.identity(), replaced ? *replaced : node);
       continue;
     }
     std::vector<Formula> operands;
