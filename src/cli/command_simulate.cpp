@@ -13,7 +13,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <filesystem>
+#include <optional>
+#include <system_error>
 
 namespace heed::cli {
 namespace {
@@ -51,7 +54,7 @@ std::vector<const job::ProfilePart*> chosen_profiles(const Arguments& arguments,
   return chosen;
 }
 
-Json evaluation_json(const job::Evaluation& found, double confidence) {
+Json evaluation_json(const job::Evaluation& found) {
   Json out = Json::array();
   for (std::size_t c = 0; c < found.categories.size(); ++c) {
     Json bar;
@@ -59,7 +62,8 @@ Json evaluation_json(const job::Evaluation& found, double confidence) {
     bar["exact"] = sim::fraction(found.exact.probability[c]);
     bar["value"] = sim::to_double(found.exact.probability[c]);
     if (found.sampled.traces > 0) {
-      const sim::Interval interval = sim::wilson(found.sampled.count[c], found.sampled.traces, confidence);
+      const sim::Interval interval =
+          sim::wilson(found.sampled.count[c], found.sampled.traces, found.confidence);
       bar["sampled"] = found.sampled.count[c];
       bar["low"] = interval.low;
       bar["high"] = interval.high;
@@ -69,14 +73,15 @@ Json evaluation_json(const job::Evaluation& found, double confidence) {
   return out;
 }
 
-std::string evaluation_text(const job::Evaluation& found, double confidence) {
+std::string evaluation_text(const job::Evaluation& found) {
   std::string out;
   for (std::size_t c = 0; c < found.categories.size(); ++c) {
     out +=
         fmt::format("  {:<14} {:>8}  {:<20}", found.categories[c],
                     sim::decimal(found.exact.probability[c], 6), sim::fraction(found.exact.probability[c]));
     if (found.sampled.traces > 0) {
-      const sim::Interval interval = sim::wilson(found.sampled.count[c], found.sampled.traces, confidence);
+      const sim::Interval interval =
+          sim::wilson(found.sampled.count[c], found.sampled.traces, found.confidence);
       out +=
           fmt::format(" sampled {:.6f} [{:.6f}, {:.6f}]",
                       static_cast<double>(found.sampled.count[c]) / static_cast<double>(found.sampled.traces),
@@ -107,10 +112,56 @@ void write_chain(const Arguments& arguments, const Setting& setting, const job::
   const sim::Product chain =
       job::chain(setting.scenario, setting.world, profile, machine, setting.thing, budget);
   const std::string folder = arguments.text("--output", ".");
-  std::filesystem::create_directories(folder);
+  std::error_code unwritable;  // write_file() says so
+  std::filesystem::create_directories(folder, unwritable);
   util::write_file(
       fmt::format("{}/{}-{}.{}", folder, file_word(machine.name), file_word(profile.spec.name), format),
       format == "prism" ? sim::write_prism(chain) : sim::write_jani(chain));
+}
+
+/// What splitting finds for the outcome that --rare names.
+struct Rare {
+  std::string outcome;
+  std::string exact;
+  sim::RareEstimate estimate;
+};
+
+std::optional<Rare> find_rare(const Arguments& arguments, const Setting& setting,
+                              const job::ProfilePart& profile, const model::Mealy& machine,
+                              const job::Evaluation& found, util::Budget& budget) {
+  const std::string wanted = arguments.text("--rare");
+  if (wanted.empty()) return std::nullopt;
+  const auto place = std::find(found.categories.begin(), found.categories.end(), wanted);
+  if (place == found.categories.end())
+    throw UsageError(fmt::format("--rare: the scenario has no outcome '{}'", wanted),
+                     util::suggestion(wanted, found.categories));
+  sim::RareOptions options;
+  options.category = static_cast<std::uint32_t>(place - found.categories.begin());
+  options.seed = setting.options.seed;
+  options.confidence = setting.scenario.evaluate->confidence;
+  options.particles =
+      static_cast<std::uint32_t>(arguments.number("--particles", 1, 100'000'000).value_or(options.particles));
+  return Rare{
+      wanted, sim::fraction(found.exact.probability[options.category]),
+      job::estimate_rare(setting.scenario, setting.world, profile, machine, setting.thing, options, budget)};
+}
+
+std::string rare_text(const Rare& rare) {
+  const sim::RareEstimate& found = rare.estimate;
+  std::string out =
+      fmt::format("  {} by splitting: {:.4g} [{:.4g}, {:.4g}], standard error {:.2g}\n", rare.outcome,
+                  found.probability, found.interval.low, found.interval.high, found.standard_error);
+  if (found.extinct > 0)
+    out += fmt::format("  no run came through in {} repetitions: more --particles may help\n", found.extinct);
+  return out;
+}
+
+Json rare_json(const Rare& rare) {
+  const sim::RareEstimate& found = rare.estimate;
+  return {{"outcome", rare.outcome},       {"exact", rare.exact},
+          {"estimate", found.probability}, {"standard_error", found.standard_error},
+          {"low", found.interval.low},     {"high", found.interval.high},
+          {"extinct", found.extinct},      {"survival", found.survival}};
 }
 
 /// One controller: text to standard output, or JSON to \p documents.
@@ -120,20 +171,38 @@ void simulate_controller(const Arguments& arguments, const Setting& setting, con
     write_chain(arguments, setting, *profile, machine, budget);
     const job::Evaluation found = job::evaluate(setting.scenario, setting.world, *profile, machine,
                                                 setting.thing, setting.options, budget);
-    const double confidence = setting.scenario.evaluate->confidence;
+    const std::optional<Rare> rare = find_rare(arguments, setting, *profile, machine, found, budget);
     if (!arguments.json()) {
-      print(fmt::format("{} under {} ({})\n{}", machine.name, profile->spec.name, profile->title,
-                        evaluation_text(found, confidence)));
+      print(fmt::format("{} under {} ({})\n{}{}", machine.name, profile->spec.name, profile->title,
+                        evaluation_text(found), rare ? rare_text(*rare) : ""));
+      if (setting.options.width > 0)
+        print(fmt::format("  {} traces; intervals hold with {}{}\n", found.sampled.traces,
+                          setting.scenario.evaluate->confidence,
+                          found.width_reached ? "" : "; --traces came before --width"));
       continue;
     }
     Json one;
     one["controller"] = machine.name;
     one["profile"] = profile->spec.name;
     one["traces"] = found.sampled.traces;
-    one["outcomes"] = evaluation_json(found, confidence);
+    one["outcomes"] = evaluation_json(found);
     one["no_answer"] = sim::fraction(found.exact.undefined);
+    if (setting.options.width > 0) one["width_reached"] = found.width_reached;
+    if (rare) one["rare"] = rare_json(*rare);
     documents.push_back(std::move(one));
   }
+}
+
+/// \throws UsageError  no number above 0 and below 1
+double read_width(const Arguments& arguments) {
+  if (!arguments.has("--width")) return 0;
+  const std::string text = arguments.text("--width");
+  double width = 0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), width);
+  if (error != std::errc{} || rest != text.data() + text.size() || !(width > 0) || width >= 1)
+    throw UsageError(fmt::format("--width: '{}' is no number between 0 and 1", text),
+                     "such as --width 0.001");
+  return width;
 }
 
 }  // namespace
@@ -151,8 +220,9 @@ int simulate_command(const Arguments& arguments) {
                      "they say what is seen and what counts");
   const job::World world = job::load_world(scenario, limits, budget);
   Setting setting{scenario, world, thing_on_road(arguments, scenario, world), {}};
-  setting.options.traces =
-      arguments.number("--traces", 0, 1'000'000'000'000).value_or(scenario.evaluate->traces);
+  setting.options.width = read_width(arguments);
+  const std::uint64_t usual = setting.options.width > 0 ? 1'000'000'000 : scenario.evaluate->traces;
+  setting.options.traces = arguments.number("--traces", 0, 1'000'000'000'000).value_or(usual);
   setting.options.seed = arguments.number("--seed", 0, INT64_MAX).value_or(scenario.evaluate->seed);
   setting.options.threads = static_cast<unsigned>(arguments.number("--threads", 1, 256).value_or(1));
   Json documents = Json::array();

@@ -196,12 +196,21 @@ Evaluation evaluate(const Scenario& scenario, const World& world, const ProfileP
   Evaluation evaluation;
   evaluation.categories = judge.categories;
   evaluation.exact = sim::exact_outcome(run, budget);
-  if (options.traces > 0) {
-    sim::SampleOptions sampling;
-    sampling.traces = options.traces;
-    sampling.seed = options.seed;
-    sampling.threads = options.threads;
-    evaluation.sampled = sim::Sampler(run, budget).sample(sampling, budget);
+  evaluation.confidence = scenario.evaluate->confidence;
+  if (options.traces == 0) return evaluation;
+  sim::SampleOptions sampling;
+  sampling.traces = options.traces;
+  sampling.seed = options.seed;
+  sampling.threads = options.threads;
+  const sim::Sampler sampler(run, budget);
+  if (options.width > 0) {
+    sim::WidthOutcome found = sim::sample_to_width(
+        sampler, {options.width, evaluation.confidence, options.traces}, sampling, budget);
+    evaluation.sampled = std::move(found.outcome);
+    evaluation.confidence = found.confidence;
+    evaluation.width_reached = found.reached;
+  } else {
+    evaluation.sampled = sampler.sample(sampling, budget);
   }
   return evaluation;
 }

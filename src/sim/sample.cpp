@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <map>
 #include <thread>
 
 #include "letters.h"
@@ -40,28 +39,6 @@ std::vector<std::uint32_t> words_of_cells(const Chain& chain) {
   return result;
 }
 
-/// The letters of a run, interned: the blank observation first, then one per thing that the chain can report.
-struct Letters {
-  explicit Letters(const Run& run) {
-    std::map<std::uint32_t, std::uint32_t> index;
-    const auto intern = [&](const model::Valuation& valuation) {
-      const std::uint32_t letter = run.machine.input_letter(valuation).value_or(Judge::none);
-      const auto [found, added] = index.emplace(letter, static_cast<std::uint32_t>(machine.size()));
-      if (added) machine.push_back(letter);
-      return found->second;
-    };
-    (void)intern(run.binding.blank);
-    std::map<std::uint64_t, std::uint32_t> known;
-    for (const Chain::Step& step : run.chain.steps) {
-      const auto [found, added] = known.emplace(step.seen, 0);
-      if (added) found->second = intern(observation(run.binding, step.seen));
-      of_step.push_back(found->second);
-    }
-  }
-  std::vector<std::uint32_t> machine;  ///< The machine's letters; Judge::none where it does not know one.
-  std::vector<std::uint32_t> of_step;  ///< Per step of the chain: index into `machine`.
-};
-
 /// A trace under way.
 struct Walker {
   std::uint32_t chain = 0;  ///< Row of the draw table.
@@ -76,15 +53,16 @@ struct Walker {
   }
 };
 
-void add(SampleOutcome& sum, const SampleOutcome& part) {
-  for (std::size_t i = 0; i < sum.count.size(); ++i) sum.count[i] += part.count[i];
-  sum.undefined += part.undefined;
-  sum.missing += part.missing;
-  sum.fallback += part.fallback;
-  sum.traces += part.traces;
-}
-
 }  // namespace
+
+SampleOutcome sum(SampleOutcome a, const SampleOutcome& b) {
+  for (std::size_t i = 0; i < a.count.size(); ++i) a.count[i] += b.count[i];
+  a.undefined += b.undefined;
+  a.missing += b.missing;
+  a.fallback += b.fallback;
+  a.traces += b.traces;
+  return a;
+}
 
 struct Sampler::Tables {
   Tables(const Run& run, const Letters& letters, util::Budget& budget)
@@ -223,9 +201,9 @@ SampleOutcome Sampler::sample(const SampleOptions& options, util::Budget& budget
       throw;
     }
   }
-  SampleOutcome sum = std::move(outcomes[0]);
-  for (unsigned part = 1; part < parts; ++part) add(sum, outcomes[part]);
-  return sum;
+  SampleOutcome together = std::move(outcomes[0]);
+  for (unsigned part = 1; part < parts; ++part) together = sum(std::move(together), outcomes[part]);
+  return together;
 }
 
 std::vector<std::uint64_t> Sampler::trace(std::uint64_t seed, std::uint64_t index) const {

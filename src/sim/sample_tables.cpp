@@ -1,6 +1,9 @@
 #include "sample_tables.h"
 
+#include "letters.h"
+
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace heed::sim {
@@ -16,6 +19,23 @@ std::uint64_t scale(const Rational& value) {
 }
 
 }  // namespace
+
+Letters::Letters(const Run& run) {
+  std::map<std::uint32_t, std::uint32_t> index;
+  const auto intern = [&](const model::Valuation& valuation) {
+    const std::uint32_t letter = run.machine.input_letter(valuation).value_or(Judge::none);
+    const auto [found, added] = index.emplace(letter, static_cast<std::uint32_t>(machine.size()));
+    if (added) machine.push_back(letter);
+    return found->second;
+  };
+  (void)intern(run.binding.blank);
+  std::map<std::uint64_t, std::uint32_t> known;
+  for (const Chain::Step& step : run.chain.steps) {
+    const auto [found, added] = known.emplace(step.seen, 0);
+    if (added) found->second = intern(observation(run.binding, step.seen));
+    of_step.push_back(found->second);
+  }
+}
 
 DrawTable::DrawTable(const Chain& chain, std::span<const std::uint32_t> letter_of_step, util::Budget& budget)
     : first_(chain.first) {

@@ -10,6 +10,13 @@
 
 namespace heed::sim {
 
+/// The letters of a run, interned: the blank observation first, then one per thing that the chain can report.
+struct Letters {
+  explicit Letters(const Run& run);
+  std::vector<std::uint32_t> machine;  ///< The machine's letters; Judge::none where it does not know one.
+  std::vector<std::uint32_t> of_step;  ///< Per step of the chain: index into `machine`.
+};
+
 /// The chain as draws: what a random word decides in a state.
 class DrawTable {
  public:

@@ -115,6 +115,20 @@ double beta_i(double a, double b, double x) {
   return x < (a + 1) / (a + b + 2) ? beta_fraction(a, b, x) : 1 - beta_fraction(b, a, 1 - x);
 }
 
+// P(|T| > t) = I_x(d/2, 1/2) at x = d / (d + t^2), which falls as t grows: bisection over t.
+double student_quantile(double confidence, unsigned degrees) {
+  assert(confidence > 0 && confidence < 1 && degrees > 0);
+  const double d = degrees, tail = 1 - confidence;
+  const auto beyond = [&](double t) { return beta_i(d / 2, 0.5, d / (d + t * t)); };
+  double low = 0, high = 1;
+  while (beyond(high) > tail) high *= 2;
+  while (high - low > 1e-11 * high) {
+    const double middle = low + (high - low) / 2;
+    (beyond(middle) > tail ? low : high) = middle;
+  }
+  return high;
+}
+
 double normal_quantile(double confidence) {
   assert(confidence > 0 && confidence < 1);
   const auto outside = [](double z) { return -std::erfc(z / std::numbers::sqrt2); };

@@ -64,6 +64,11 @@ check 'simulate is exact' says '1/3'
 check 'simulate --chain' exits 0 "$heed" simulate "$scenario" "$work/run/awareness.controller.json" --chain prism --output "$work/chains"
 check 'a chain for each profile' exits 0 grep -q 'label "outcome_stop_in_2"' "$work/chains/awareness-p1.prism" "$work/chains/awareness-p3.prism"
 check 'simulate --chain knows its formats' exits 2 "$heed" simulate "$scenario" "$work/run/awareness.controller.json" --chain prsm
+check 'simulate --rare' exits 0 "$heed" simulate "$scenario" "$work/run/base.controller.json" --profile P3 --rare 'stop in 4' --particles 2000
+check 'simulate --rare estimates' says 'stop in 4 by splitting: 0.001'
+check 'simulate --rare knows the outcomes' exits 2 "$heed" simulate "$scenario" "$work/run/base.controller.json" --rare 'stop in 9'
+check 'simulate --width' exits 0 "$heed" simulate "$scenario" "$work/run/base.controller.json" --profile P2 --width 0.01
+check 'simulate --width is a number' exits 2 "$heed" simulate "$scenario" "$work/run/base.controller.json" --width wide
 check 'simulate --json' exits 0 "$heed" simulate "$scenario" "$work/run/base.controller.json" --json --traces 0
 check 'simulate --json is JSON' is_json
 for format in cpp json dot; do check "export --to $format" exits 0 "$heed" export "$work/run/awareness.controller.json" --to $format; done

@@ -54,9 +54,12 @@ struct Evaluation {
   std::vector<std::string> categories;
   sim::ExactOutcome exact;
   sim::SampleOutcome sampled;
+  double confidence = 0;      ///< At which the intervals of `sampled` are to be taken.
+  bool width_reached = true;  ///< False: `traces` came before EvaluateOptions::width.
 };
 struct EvaluateOptions {
   std::uint64_t traces = 0, seed = 1;
+  double width = 0;  ///< Above 0: sample until every interval is that narrow, at most `traces` times.
   unsigned threads = 1;
   bool never_apart = false;
 };

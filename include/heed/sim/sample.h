@@ -25,6 +25,9 @@ struct SampleOutcome {
   friend bool operator==(const SampleOutcome&, const SampleOutcome&) = default;
 };
 
+/// The outcome of two ranges of traces together. \pre the same categories
+[[nodiscard]] SampleOutcome sum(SampleOutcome a, const SampleOutcome& b);
+
 /// Draws traces cell by cell from the chain and steps the machine through each. Trace i of a seed is a pure
 /// function of (seed, i). Its words are those of util::CounterRandom(seed, i): of the n cells in which any
 /// state leaves a choice, the j-th uses word j, and word n + j as 32 further bits where those of word j do
@@ -48,5 +51,23 @@ class Sampler {
   struct Tables;
   std::unique_ptr<const Tables> tables_;
 };
+
+struct WidthOptions {
+  double width = 0.01;  ///< Of the widest interval over the categories; above 0.
+  double confidence = 0.95;
+  std::uint64_t most = std::uint64_t{1} << 40;  ///< Traces.
+};
+struct WidthOutcome {
+  SampleOutcome outcome;
+  double confidence = 0;  ///< At which to take the intervals of this outcome.
+  bool reached = false;   ///< False: `most` came first.
+};
+
+/// Samples until every category's Wilson interval is at most `width` wide, looking after 4096, 8192, 16384,
+/// ... traces. Looking often finds something by luck: look k is taken at confidence 1 - (1 - c) / (k (k +
+/// 1)), so that all looks together hold with c. \param options  `traces` is not used. \throws
+/// util::LimitExceeded
+[[nodiscard]] WidthOutcome sample_to_width(const Sampler& sampler, const WidthOptions& wanted,
+                                           SampleOptions options, util::Budget& budget);
 
 }  // namespace heed::sim

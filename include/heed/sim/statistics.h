@@ -13,6 +13,10 @@ struct Interval {
 /// The z with P(|N(0,1)| <= z) = confidence: 1.959964 for .95. \pre 0 < confidence < 1
 [[nodiscard]] double normal_quantile(double confidence);
 
+/// The t with P(|T| <= t) = confidence for Student's distribution with that many degrees of freedom; relative
+/// error below 1e-10. \pre 0 < confidence < 1, degrees > 0
+[[nodiscard]] double student_quantile(double confidence, unsigned degrees);
+
 /// Wilson's score interval: centred well even near 0 and 1, covers about `confidence` on average over p.
 /// \cite wilson.27.jasa \pre successes <= trials; trials == 0 gives [0, 1].
 [[nodiscard]] Interval wilson(std::uint64_t successes, std::uint64_t trials, double confidence = 0.95);

@@ -53,6 +53,17 @@ TEST(Statistics, BetaAgainstBinomialSums) {
   EXPECT_EQ(beta_i(2, 3, 1), 1);
 }
 
+// One degree of freedom is Cauchy's distribution: P(|T| <= t) = 2/pi atan t; two have t = c sqrt(2 / (1 -
+// c^2)).
+TEST(Statistics, QuantilesOfStudentsDistribution) {
+  for (const double c : {0.1, 0.5, 0.9, 0.95, 0.999}) {
+    expect_close(student_quantile(c, 1), std::tan(c * std::acos(-1.0) / 2), 1e-9);
+    expect_close(student_quantile(c, 2), c * std::sqrt(2 / (1 - c * c)), 1e-9);
+  }
+  EXPECT_NEAR(student_quantile(0.95, 15), 2.131449546, 1e-8);
+  EXPECT_NEAR(student_quantile(0.99, 30), 2.749995654, 1e-8);
+}
+
 TEST(Statistics, ChiSquareAgainstTables) {
   const std::vector<std::array<double, 3>> table = {{1, 3.841458820694124, 0.05},
                                                     {2, 5.991464547107979, 0.05},
