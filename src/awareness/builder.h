@@ -98,6 +98,7 @@ class Builder {
   // warnings.cpp
   void warn_subsumptions();
   void warn_unsatisfiable();
+  [[nodiscard]] std::optional<std::size_t> impossible_because_of(std::size_t entity) const;
   void warn_indistinguishable();
   void warn_unused();
   void warn_excludes_nothing();

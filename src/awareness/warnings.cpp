@@ -24,17 +24,39 @@ void Builder::warn(std::string code, std::string message, Axioms axioms, std::ve
       {std::move(code), std::move(message), std::move(axioms), std::move(entities)});
 }
 
+/// Of the entities that cannot exist the one from which it follows that \p entity cannot: its axioms are some
+/// of those of \p entity. Nothing for a root cause.
+std::optional<std::size_t> Builder::impossible_because_of(std::size_t entity) const {
+  const Axioms& all = catalogue_.entities[entity].impossible;
+  std::optional<std::size_t> cause;
+  for (std::size_t e = 0; e < catalogue_.entities.size(); ++e) {
+    const Axioms& some = catalogue_.entities[e].impossible;
+    if (catalogue_.entities[e].satisfiable || some.size() >= all.size()) continue;
+    if (!std::includes(all.begin(), all.end(), some.begin(), some.end())) continue;
+    if (!cause || some.size() < catalogue_.entities[*cause].impossible.size()) cause = e;
+  }
+  return cause;
+}
+
+/// Root causes first: what follows from them goes with them.
 void Builder::warn_unsatisfiable() {
+  std::vector<std::size_t> found;
   for (std::size_t e = 0; e < catalogue_.entities.size(); ++e) {
     Entity& entity = catalogue_.entities[e];
     if (entity.satisfiable) continue;
     entity.impossible = justifier_.unsatisfiable(owl::ClassExpression::named(entity.iri)).value_or(Axioms{});
+    found.push_back(e);
+  }
+  std::stable_partition(found.begin(), found.end(),
+                        [&](std::size_t e) { return !impossible_because_of(e).has_value(); });
+  for (const std::size_t e : found) {
+    const auto cause = impossible_because_of(e);
     warn("unsatisfiable-entity",
          fmt::format("Nothing can be a '{}': what the ontology says of it contradicts itself, so it will "
-                     "never be recognised "
-                     "and every statement about it holds emptily.",
-                     entity.label),
-         entity.impossible, {e});
+                     "never be recognised and every statement about it holds emptily.{}",
+                     label(e),
+                     cause ? fmt::format(" This follows from what is said of '{}'.", label(*cause)) : ""),
+         catalogue_.entities[e].impossible, {e});
   }
 }
 

@@ -137,5 +137,18 @@ TEST(Warnings, BehavioursThroughRoleChainsAreFound) {
   EXPECT_EQ(act->axioms.size(), 3U);
 }
 
+TEST(Warnings, RootCausesOfWhatCannotExistComeFirst) {
+  const Catalogue c =
+      build(sub("Child", ":Broken") + sub("Broken", ":Thing , " + has("Round") + " , " + has("Square")) +
+            sub("Fine", ":Thing"));
+  const auto found = warnings_with(c, "unsatisfiable-entity");
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_THAT(found[0]->message, HasSubstr("'Broken'"));
+  EXPECT_THAT(found[0]->message, testing::Not(HasSubstr("follows")));
+  EXPECT_THAT(found[1]->message, HasSubstr("'Child'"));
+  EXPECT_THAT(found[1]->message, HasSubstr("follows from what is said of 'Broken'"));
+  EXPECT_EQ(found[1]->axioms.size(), found[0]->axioms.size() + 1);
+}
+
 }  // namespace
 }  // namespace heed::awareness
