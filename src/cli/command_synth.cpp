@@ -3,6 +3,7 @@
 
 #include <heed/certify/certify.h>
 #include <heed/check/verify.h>
+#include <heed/game/techniques.h>
 #include <heed/model/mealy.h>
 #include <heed/model/symbolic.h>
 #include <heed/spec/dialect.h>
@@ -13,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace heed::cli {
 namespace {
@@ -30,8 +32,30 @@ strategy::Form form(const Arguments& arguments) {
                    util::suggestion(word, {"explicit", "symbolic", "auto"}));
 }
 
+/// "NAME=VALUE" as often as given, the last one counts.
+game::Techniques techniques(const Arguments& arguments) {
+  game::Techniques result;
+  for (const std::string& word : arguments.texts("--solver-option")) {
+    const std::size_t equals = word.find('=');
+    const std::string name = word.substr(0, equals);
+    if (equals == std::string::npos)
+      throw UsageError(fmt::format("--solver-option: '{}' is no NAME=VALUE", word),
+                       "such as frontier-sets=off");
+    try {
+      game::set_technique(result, name, word.substr(equals + 1));
+    } catch (const std::invalid_argument& error) {
+      const auto names = game::technique_names();
+      const bool known = std::find(names.begin(), names.end(), name) != names.end();
+      throw UsageError(fmt::format("--solver-option: {}", error.what()),
+                       known ? std::string() : util::suggestion(name, names));
+    }
+  }
+  return result;
+}
+
 strategy::Options synthesis_options(const Arguments& arguments) {
   strategy::Options options;
+  options.techniques = techniques(arguments);
   options.only_realizability = arguments.has("--realizability");
   const std::string word = arguments.text("--on-violation", "undefined");
   if (word == "latch")

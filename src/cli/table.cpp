@@ -82,6 +82,8 @@ std::vector<Command> controller_commands() {
          "With auto: how many states, before minimisation, and 20 times as many rows, are listed"},
         {"--certify", "", "", "",
          "Also prove the verdict, either one, by ranks that are checked symbolically"},
+        {"--solver-option", "NAME=VALUE", "", "",
+         "Switch a technique of the solver, once for each; the verdict stays (docs/command-line.md)"},
         {"--on-violation", "WORD", "undefined", "undefined|latch", "What answers an illegal observation"},
         {"--exit-code", "STYLE", "heed", "heed|syntcomp", "0 and 1, or 10 and 20"}},
        "heed synth out/stop-sign/awareness.gr1 -o awareness.controller.json",

@@ -1,5 +1,4 @@
 #include <heed/game/techniques.h>
-#include <heed/util/diagnostic.h>
 
 #include <fmt/format.h>
 
@@ -62,9 +61,7 @@ void set_technique(Techniques& techniques, std::string_view name, std::string_vi
       techniques.*std::get<std::uint32_t Techniques::*>(technique.member) = read_number(name, value);
     return;
   }
-  const std::string hint = util::suggestion(name, technique_names());
-  throw std::invalid_argument(
-      fmt::format("no solver option is called '{}'{}{}", name, hint.empty() ? "" : "; ", hint));
+  throw std::invalid_argument(fmt::format("no solver option is called '{}'", name));
 }
 
 }  // namespace heed::game

@@ -33,6 +33,7 @@ game::SolveOptions solve_options(const Options& options) {
   result.ranks = options.claim || !options.only_realizability;
   result.iterates = options.claim || !options.only_realizability;
   result.stop_early = options.only_realizability;
+  result.techniques = options.techniques;
   return result;
 }
 
@@ -75,7 +76,10 @@ void add_strategy(const game::Game& game, const game::Region& region, util::Budg
 Result synthesize(const spec::Gr1& spec, util::Budget& budget, const Options& options) {
   Stopwatch watch;
   Result result;
-  const game::Game game = game::build_game(spec, budget);
+  // Only strategies and certificates speak of all the environment's moves at once.
+  const game::Techniques& techniques = options.techniques;
+  const bool whole = options.claim || !options.only_realizability || !techniques.partition_environment;
+  const game::Game game = game::build_game(spec, budget, {whole, techniques});
   const game::Region region = game::solve(game, budget, solve_options(options));
   result.realizable = region.realizable;
   Statistics& statistics = result.statistics;

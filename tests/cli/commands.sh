@@ -37,6 +37,10 @@ check 'synth says so' says REALIZABLE
 check 'synth --realizability' exits 0 "$heed" synth "$work/tree.gr1" --realizability
 check 'its first line is the verdict' test "$(head -n 1 "$work/out")" = REALIZABLE
 check 'synth --exit-code syntcomp' exits 10 "$heed" synth "$work/tree.gr1" --realizability --exit-code=syntcomp
+check 'synth --solver-option' exits 0 "$heed" synth "$work/tree.gr1" --realizability --solver-option frontier-sets=off --solver-option cluster-nodes=0
+check 'synth --solver-option knows its names' exits 2 "$heed" synth "$work/tree.gr1" --realizability --solver-option frontier-set=off
+check 'and names the nearest' says "did you mean 'frontier-sets'"
+check 'synth --solver-option knows its values' exits 2 "$heed" synth "$work/tree.gr1" --realizability --solver-option frontier-sets=no
 check 'synth --certify' exits 0 "$heed" synth "$work/tree.gr1" --realizability --certify
 check 'synth --certify says so' says 'certified: '
 check 'synth --strategy symbolic' exits 0 "$heed" synth "$work/tree.gr1" --strategy symbolic --certify -o "$work/tree.symbolic.json"

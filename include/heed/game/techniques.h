@@ -35,7 +35,7 @@ struct Techniques {
 [[nodiscard]] std::vector<std::string> technique_names();
 
 /// Sets the technique called \p name: "on" or "off", or a number from 0 to 1000000000 where it is one.
-/// \throws std::invalid_argument  with a sentence: no such name (the nearest is named), no such value
+/// \throws std::invalid_argument  with a sentence: no such name, no such value
 void set_technique(Techniques& techniques, std::string_view name, std::string_view value);
 
 }  // namespace heed::game

@@ -35,6 +35,7 @@ struct Options {
   OnViolation on_violation = OnViolation::Undefined;
   std::uint64_t max_states = 10'000'000;  ///< Before minimisation. More: util::LimitExceeded (Size).
   std::uint64_t max_rows = 0;             ///< The same for rows; 0: no bound.
+  game::Techniques techniques{};          ///< How the game is solved; the result is the same.
 };
 
 struct Statistics {
