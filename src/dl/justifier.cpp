@@ -38,13 +38,13 @@ struct Part {
 
 class Justifier::Impl {
  public:
-  Impl(owl::Ontology given, util::Budget& limits) : ontology(std::move(given)), budget(limits) {}
+  Impl(owl::Ontology given, util::Budget& limits) : ontology_(std::move(given)), budget_(limits) {}
 
   /// \param about  What is asked about: its named classes are saturated once and kept for later questions.
   std::optional<std::vector<owl::AxiomId>> justify(const Ask& ask, const owl::ClassExpression& about = {}) {
-    if (!whole) whole = std::make_unique<Part>(ontology, nullptr, budget, true);
+    if (!whole_) whole_ = std::make_unique<Part>(ontology_, nullptr, budget_, true);
     prepare(about);
-    Question question(whole->base, budget);
+    Question question(whole_->base, budget_);
     if (!ask(question)) return std::nullopt;
     return minimal(question.axioms(), ask);
   }
@@ -95,12 +95,12 @@ class Justifier::Impl {
 
   std::optional<std::vector<owl::AxiomId>> justify_without(const std::set<owl::AxiomId>& gone,
                                                            const Ask& ask) {
-    budget.check();
+    budget_.check();
     std::vector<owl::AxiomId> rest;
-    for (const owl::Axiom& axiom : ontology.axioms())
+    for (const owl::Axiom& axiom : ontology_.axioms())
       if (!gone.contains(axiom.id)) rest.push_back(axiom.id);
-    Part part(ontology, &rest, budget, true);
-    Question question(part.base, budget);
+    Part part(ontology_, &rest, budget_, true);
+    Question question(part.base, budget_);
     if (!ask(question)) return std::nullopt;
     return minimal(question.axioms(), ask);
   }
@@ -112,10 +112,10 @@ class Justifier::Impl {
       open.pop_back();
       for (const auto& operand : next.operands()) open.push_back(&operand);
       if (!next.is_named()) continue;
-      const Concept c = whole->theory.class_concept(next.iri());
-      if (c != nothing_known) whole->base.context({c});
+      const Concept c = whole_->theory.class_concept(next.iri());
+      if (c != nothing_known) whole_->base.context({c});
     }
-    whole->base.run();
+    whole_->base.run();
   }
 
   /// Takes out every run of \p chunk axioms without which the answer stays the same.
@@ -124,8 +124,8 @@ class Justifier::Impl {
       const std::size_t end = std::min(at + chunk, kept.size());
       std::vector<owl::AxiomId> fewer(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(at));
       fewer.insert(fewer.end(), kept.begin() + static_cast<std::ptrdiff_t>(end), kept.end());
-      Part part(ontology, &fewer, budget, false);
-      Question question(part.base, budget);
+      Part part(ontology_, &fewer, budget_, false);
+      Question question(part.base, budget_);
       if (ask(question))
         kept = std::move(fewer);
       else
@@ -133,9 +133,9 @@ class Justifier::Impl {
     }
   }
 
-  owl::Ontology ontology;
-  util::Budget& budget;
-  std::unique_ptr<Part> whole;
+  owl::Ontology ontology_;
+  util::Budget& budget_;
+  std::unique_ptr<Part> whole_;
 };
 
 Justifier::Justifier(owl::Ontology ontology, util::Budget& budget)
