@@ -32,7 +32,7 @@ export async function launch() {
 
 // ---- run inside the page ---------------------------------------------------------------------------------------------
 
-function findOverflow() {
+export function findOverflow() {
   const width = document.documentElement.clientWidth;
   const problems = [];
   if (document.documentElement.scrollWidth > width) problems.push(`page is ${document.documentElement.scrollWidth} wide`);
@@ -80,7 +80,7 @@ function findTooSmall() {
   return problems;
 }
 
-function findContrast() {
+export function findContrast() {
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = 1;
   const pen = canvas.getContext('2d', { willReadFrequently: true });
@@ -105,16 +105,19 @@ function findContrast() {
     for (let at = element; at; at = at.parentElement) layers.push(rgba(getComputedStyle(at).backgroundColor));
     return layers.reduceRight((below, layer) => over(layer, below), [255, 255, 255, 1]);
   };
-  // What is painted before an SVG text and lies under it is its background as well.
+  // What is painted before an SVG text and lies under it is its background as well; alone, where it covers all of it.
   const painted = (text) => {
     const box = text.getBoundingClientRect();
-    const under = [background(text.ownerSVGElement)];
+    let under = [background(text.ownerSVGElement)];
     for (const shape of text.ownerSVGElement.querySelectorAll('rect, circle, polygon')) {
       const other = shape.getBoundingClientRect();
       const before = shape.compareDocumentPosition(text) & Node.DOCUMENT_POSITION_FOLLOWING;
-      if (before && Math.min(box.right, other.right) - Math.max(box.left, other.left) > 1 &&
-          Math.min(box.bottom, other.bottom) - Math.max(box.top, other.top) > 3)
-        under.push(over(rgba(getComputedStyle(shape).fill), under[0]));
+      const across = Math.min(box.right, other.right) - Math.max(box.left, other.left);
+      const down = Math.min(box.bottom, other.bottom) - Math.max(box.top, other.top);
+      if (!before || across <= 1 || down <= 3) continue;
+      const fill = rgba(getComputedStyle(shape).fill);
+      const covers = fill[3] === 1 && across >= box.width - 0.5 && down >= 0.7 * box.height;
+      under = covers ? [fill] : under.concat([over(fill, under[0])]);
     }
     return under;
   };
