@@ -49,7 +49,7 @@ bool Question::type(owl::Iri individual, const ClassExpression& of) {
 }
 
 /// Splits conjunctions, moves complements to the left; the rest is looked up.
-bool Question::ask(std::vector<Concept> core, const ClassExpression& super) {
+bool Question::ask(const std::vector<Concept>& core, const ClassExpression& super) {
   if (super.depth() > 1000)
     throw util::LimitExceeded(util::LimitExceeded::Kind::Size,
                               "a class expression that is asked for nests more than 1000 deep");

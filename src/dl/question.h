@@ -31,7 +31,7 @@ class Question {
   [[nodiscard]] std::vector<owl::AxiomId> axioms() const { return saturation_.axioms_of(facts_); }
 
  private:
-  bool ask(std::vector<Concept> core, const owl::ClassExpression& super);
+  bool ask(const std::vector<Concept>& core, const owl::ClassExpression& super);
   bool ask_simple(const std::vector<Concept>& core, const owl::ClassExpression& super);
   bool ask_universal(std::vector<Concept> core, Role role, const owl::ClassExpression* filler, Concept value);
   bool holds(ContextId x, const owl::ClassExpression& e);
