@@ -68,7 +68,7 @@ std::string Cursor::name(const std::string& what) {
   if (!rest().empty() && rest()[0] == '"') return quoted();
   std::size_t length = 0;
   while (length < rest().size() && is_name_byte(rest()[length])) ++length;
-  const std::string text(rest().substr(0, length));
+  std::string text(rest().substr(0, length));
   if (length == 0)
     fail("syntax", fmt::format("expected {}", what), "a name starts with a letter or _, or is quoted");
   if (quoted_name(text) != text)
