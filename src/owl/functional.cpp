@@ -1,4 +1,5 @@
 #include "pieces.h"
+#include "resolve.h"
 
 #include <heed/owl/print.h>
 #include <heed/owl/vocabulary.h>
@@ -6,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 // The functional-style syntax of "OWL 2 Structural Specification", with full IRIs.
@@ -233,10 +235,24 @@ std::string to_functional(const std::vector<AxiomId>& ids, const Ontology& ontol
   return head + body + ")\n";
 }
 
+namespace {
+
+/// XML lets a prefix stand for anything; nothing is lost without it, since names are written in full.
+bool can_be_written(std::string_view prefix, std::string_view uri) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return std::all_of(prefix.begin(), prefix.end(), plain) &&
+         first_bad_character(uri) == std::string_view::npos;
+}
+
+}  // namespace
+
 std::string write_functional(const Ontology& ontology) {
   Functional writer(ontology);
   std::string out;
-  for (const auto& [prefix, uri] : ontology.prefixes()) out += fmt::format("Prefix({}:=<{}>)\n", prefix, uri);
+  for (const auto& [prefix, uri] : ontology.prefixes())
+    if (can_be_written(prefix, uri)) out += fmt::format("Prefix({}:=<{}>)\n", prefix, uri);
   out += "Ontology(";
   if (!ontology.iri().empty()) out += fmt::format("<{}>", ontology.iri());
   if (!ontology.version_iri().empty()) out += fmt::format(" <{}>", ontology.version_iri());

@@ -202,6 +202,21 @@ TEST(Turtle, WhatIsWrittenReadsBack) {
   EXPECT_EQ(after.ontology.version_iri(), "http://e/1");
 }
 
+/// In XML a prefix may stand for what is no IRI.
+TEST(Functional, PrefixesThatCannotBeWrittenAreLeftOut) {
+  const Ontology before =
+      read_text(
+          "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" xmlns:bad=\"http://e/?></x\" "
+          "xmlns:\xC3\xA9=\"http://f/#\" xmlns:owl=\"http://www.w3.org/2002/07/owl#\">"
+          "<owl:Class rdf:about=\"http://e/#A\"/></rdf:RDF>",
+          "a.owl")
+          .ontology;
+  const std::string written = write_functional(before);
+  EXPECT_EQ(written.find("bad"), std::string::npos);
+  EXPECT_NE(written.find("Prefix(owl:="), std::string::npos);
+  EXPECT_EQ(all_axioms(read_text(written, "again.ofn").ontology), all_axioms(before));
+}
+
 TEST(OwlCorpus, TurtleRoundTripKeepsEveryAxiom) {
   const auto files = corpus_files();
   if (files.empty()) GTEST_SKIP() << "no corpus at " << corpus();
