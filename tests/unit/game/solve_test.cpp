@@ -18,7 +18,11 @@ bool wins(const std::string& text) {
   EXPECT_EQ(solve(game, budget, early).realizable, region.realizable) << text;
   for (const std::string& technique : technique_names()) {
     SolveOptions other;
-    set_technique(other.techniques, technique, technique == "cluster-nodes" ? "0" : "off");
+    const bool off_by_default = technique == "greedy-schedule";
+    set_technique(other.techniques, technique,
+                  technique == "cluster-nodes" ? "0"
+                  : off_by_default             ? "on"
+                                               : "off");
     EXPECT_EQ(solve(game, budget, other).winning, region.winning) << "without " << technique << "\n" << text;
   }
   return region.realizable;

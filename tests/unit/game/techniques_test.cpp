@@ -11,7 +11,7 @@ TEST(Techniques, EachNameSetsOneMember) {
   Techniques techniques;
   set_technique(techniques, "frontier-sets", "off");
   EXPECT_FALSE(techniques.frontier_sets);
-  EXPECT_TRUE(techniques.greedy_schedule);
+  EXPECT_TRUE(techniques.state_invariants);
   set_technique(techniques, "frontier-sets", "on");
   EXPECT_TRUE(techniques.frontier_sets);
   set_technique(techniques, "cluster-nodes", "0");
