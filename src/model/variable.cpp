@@ -10,7 +10,11 @@ namespace heed::model {
 Domain Domain::enumeration(std::vector<std::string> names) {
   assert(!names.empty());
   const auto high = static_cast<std::int32_t>(names.size()) - 1;
-  return {Kind::Enumeration, 0, high, std::move(names)};
+  std::unordered_map<std::string, std::int32_t> codes;
+  for (std::int32_t code = 0; code <= high; ++code)
+    codes.emplace(names[static_cast<std::size_t>(code)], code);
+  return {Kind::Enumeration, 0, high, std::move(names),
+          std::make_shared<const std::unordered_map<std::string, std::int32_t>>(std::move(codes))};
 }
 
 std::string Domain::print(std::int32_t code) const {
@@ -31,6 +35,11 @@ std::optional<std::int32_t> Domain::read(const std::string& text) const {
     if (text == "true") return 1;
     if (text == "false") return 0;
     return std::nullopt;
+  }
+  // Names may have been added since, or be there twice: then the list decides.
+  if (kind == Kind::Enumeration && codes && codes->size() == values.size()) {
+    const auto found = codes->find(text);
+    return found == codes->end() ? std::nullopt : std::optional(found->second);
   }
   if (kind == Kind::Enumeration) {
     const auto found = std::find(values.begin(), values.end(), text);

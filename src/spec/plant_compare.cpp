@@ -32,12 +32,12 @@ class CaseSplit {
       StateSet reached(terms_.plant().states.size());
       std::vector<Formula> ways;
       for (const Group& then : coming) {
-        const Formula left = instance(now.first, then.first);
-        if (left.is_true()) merge(reached, then.states);
-        if (!left.is_true() && !left.is_false()) ways.push_back(terms_.next_inside(then.states) && left);
+        const Formula left = instance(now.states.front(), then.states.front());
+        if (left.is_true()) merge(reached, then);
+        if (!left.is_true() && !left.is_false()) ways.push_back(terms_.next_inside(set_of(then)) && left);
       }
       ways.insert(ways.begin(), terms_.next_inside(reached));
-      cases.push_back(terms_.inside(now.states) && logic::any_of(std::move(ways)));
+      cases.push_back(terms_.inside(set_of(now)) && logic::any_of(std::move(ways)));
     }
     return {logic::any_of(std::move(cases)), std::nullopt};
   }
@@ -45,15 +45,19 @@ class CaseSplit {
  private:
   static constexpr std::uint8_t present_step = 1, next_step = 2;
 
-  /// States that agree on every term of one step; `first` stands for all.
+  /// States that agree on every term of one step, at least one; the first stands for all.
   struct Group {
-    std::uint32_t first;
-    StateSet states;
+    std::vector<std::uint32_t> states;
   };
 
-  static void merge(StateSet& into, const StateSet& states) {
-    for (std::size_t s = 0; s < into.size(); ++s)
-      if (states[s]) into[s] = true;
+  static void merge(StateSet& into, const Group& group) {
+    for (const std::uint32_t state : group.states) into[state] = true;
+  }
+
+  [[nodiscard]] StateSet set_of(const Group& group) const {
+    StateSet set(terms_.plant().states.size());
+    merge(set, group);
+    return set;
   }
 
   [[nodiscard]] bool is_plant(const Formula& node) const {
@@ -112,8 +116,8 @@ class CaseSplit {
       for (std::size_t i = 0; i < nodes_.size(); ++i)
         if (reads(i, next)) key.push_back(term(i, s));
       const auto [at, fresh] = index.emplace(std::move(key), out.size());
-      if (fresh) out.push_back({s, StateSet(terms_.plant().states.size())});
-      out[at->second].states[s] = true;
+      if (fresh) out.emplace_back();
+      out[at->second].states.push_back(s);
     }
     return out;
   }
@@ -121,7 +125,7 @@ class CaseSplit {
   [[nodiscard]] Expanded only_present(const std::vector<Group>& present) const {
     StateSet states(terms_.plant().states.size());
     for (const Group& group : present)
-      if (instance(group.first, 0).is_true()) merge(states, group.states);
+      if (instance(group.states.front(), 0).is_true()) merge(states, group);
     return {terms_.inside(states), std::move(states)};
   }
 

@@ -45,10 +45,7 @@ std::optional<std::int32_t> value_of(const Formula& value, const Formula& variab
   if (!variable_name || !value_name) return std::nullopt;
   const Symbol* symbol = symbols.find(variable_name->name());
   if (!symbol || symbol->domain.kind != model::Domain::Kind::Enumeration) return std::nullopt;
-  const auto& values = symbol->domain.values;
-  const auto found = std::find(values.begin(), values.end(), value_name->name());
-  if (found == values.end()) return std::nullopt;
-  return static_cast<std::int32_t>(found - values.begin());
+  return symbol->domain.read(value_name->name());
 }
 
 /// Depth-first order with an explicit stack; a definition on the stack met again closes a cycle.

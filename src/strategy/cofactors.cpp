@@ -20,12 +20,12 @@ Cofactors::Id Cofactors::step(Id id, bool value) {
 Cofactors::Id Cofactors::intern(std::uint32_t depth, std::vector<bdd::Bdd> functions) {
   std::uint64_t hash = functions.size();
   for (const bdd::Bdd& function : functions) hash = util::mix(hash, function.id());
-  std::vector<Id>& bucket = index_[depth][hash];
-  for (const Id id : bucket)
+  const auto bucket = index_[depth].try_emplace(hash, none).first;
+  for (Id id = bucket->second; id != none; id = nodes_[id].same_hash)
     if (nodes_[id].functions == functions) return id;
   const Id id = static_cast<Id>(nodes_.size());
-  nodes_.push_back({std::move(functions), depth, {none, none}});
-  bucket.push_back(id);
+  nodes_.push_back({std::move(functions), depth, {none, none}, bucket->second});
+  bucket->second = id;
   return id;
 }
 

@@ -32,12 +32,13 @@ class Cofactors {
     std::vector<bdd::Bdd> functions;
     std::uint32_t depth;
     std::array<Id, 2> next{none, none};
+    Id same_hash = none;  ///< Another one of this depth with the same hash.
   };
   Id intern(std::uint32_t depth, std::vector<bdd::Bdd> functions);
 
   std::vector<bdd::Var> order_;
   std::vector<Node> nodes_;
-  std::vector<std::unordered_map<std::uint64_t, std::vector<Id>>> index_;  ///< By depth, then by hash.
+  std::vector<std::unordered_map<std::uint64_t, Id>> index_;  ///< By depth, then by hash: the last one added.
 };
 
 }  // namespace heed::strategy

@@ -4,13 +4,12 @@
 #include "latch.h"
 #include "states.h"
 #include "symbolic.h"
+#include "walk.h"
 
 #include <heed/spec/gr1.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <optional>
 #include <unordered_map>
 
 namespace heed::strategy {
@@ -22,6 +21,9 @@ using game::Owner;
 
 /// Functions of a state's future, in this order; the updates of the memories' bits follow.
 enum Slot : std::size_t { Legal, Moves, Waits, Met, Updates };
+
+/// How many answers are looked at for one that leads to a state that is there already.
+constexpr std::size_t most_answers = 16;
 
 /// Where a bit stands in a valuation.
 struct Place {
@@ -55,34 +57,6 @@ struct Answer {
   model::Valuation values;
   bool waits = false;
   bool met = false;
-};
-
-/// The builder's numbers of input letters, found again by the path of the walk that leads to them: each state
-/// lists the same letters, and a path costs nothing that the walk does not do anyway.
-class LetterPaths {
- public:
-  using Id = std::uint32_t;
-
-  [[nodiscard]] Id step(Id path, bool value) {
-    const Id known = nodes_[path].next[value ? 1 : 0];
-    if (known != 0) return known;
-    const auto added = static_cast<Id>(nodes_.size());
-    nodes_.emplace_back();
-    nodes_[path].next[value ? 1 : 0] = added;
-    return added;
-  }
-  [[nodiscard]] std::uint32_t letter(Id path, const model::Valuation& letter, model::MealyBuilder& builder) {
-    std::optional<std::uint32_t>& known = nodes_[path].letter;
-    if (!known) known = builder.input_letter(letter);
-    return *known;
-  }
-
- private:
-  struct Node {
-    std::array<Id, 2> next{0, 0};
-    std::optional<std::uint32_t> letter;
-  };
-  std::vector<Node> nodes_{Node{}};  ///< The root is 0, and nobody's successor.
 };
 
 /// Lists the machine state by state. A state is the vector of functions that is left of (legal inputs, rule,
@@ -245,21 +219,33 @@ class Extractor {
     }
   }
 
-  void step(const Walk& at) {
-    const Answer& answer = answer_to(at.state);
-    Cofactors::Id future = at.future, columns = at.columns;
+  /// Where an answer leads from a place in the walk.
+  struct Step {
+    Cofactors::Id future, columns;
+    std::size_t goal;
+  };
+
+  [[nodiscard]] Step follow(const Walk& at, const Answer& answer) {
+    Step step{at.future, at.columns, 0};
     for (const bool bit : answer.bits) {
-      future = future_.step(future, bit);
-      columns = columns_.step(columns, bit);
+      step.future = future_.step(step.future, bit);
+      step.columns = columns_.step(step.columns, bit);
     }
+    step.goal =
+        next_goal(answer.met ? (key_.goal + 1) % goals_ : key_.goal, columns_.functions(step.columns));
+    step.future = future_of(step.future, step.goal);
+    return step;
+  }
+
+  void step(const Walk& at) {
+    const Answer& answer = answer_to(at);
+    const Step reached = follow(at, answer);
     relies_ = relies_ || answer.waits;
-    const std::vector<Bdd>& shown = columns_.functions(columns);
-    const std::size_t goal = next_goal(answer.met ? (key_.goal + 1) % goals_ : key_.goal, shown);
     const auto [letter, added] =
-        output_letters_.try_emplace((std::uint64_t{answer.number} << 32) | columns, 0U);
-    if (added) letter->second = builder_.output_letter(output_of(answer, shown));
-    add_row({paths_.letter(at.path, letter_, builder_), letter->second, future_of(future, goal), false},
-            goal);
+        output_letters_.try_emplace((std::uint64_t{answer.number} << 32) | reached.columns, 0U);
+    if (added)
+      letter->second = builder_.output_letter(output_of(answer, columns_.functions(reached.columns)));
+    add_row({paths_.letter(at.path, letter_, builder_), letter->second, reached.future, false}, reached.goal);
   }
 
   [[nodiscard]] model::Valuation output_of(const Answer& answer, const std::vector<Bdd>& shown) const {
@@ -302,14 +288,49 @@ class Extractor {
       throw util::LimitExceeded(util::LimitExceeded::Kind::Size, "the strategy has too many rows to list");
   }
 
-  const Answer& answer_to(Cofactors::Id state) {
-    std::vector<Answer>& known = answers_[state];
-    for (const Answer& answer : known)
-      if (!moore_ || first_step_ || std::equal(choice_.begin(), choice_.end(), answer.bits.begin()))
-        return answer;
-    known.push_back(first_step_ ? first_answer(state) : later_answer(state));
-    known.back().number = answer_count_++;
-    return known.back();
+  /// An answer that leads to a state that is there already, the one found first, keeps the machine small.
+  /// Where none does, the least is taken: in the same situation always the same.
+  const Answer& answer_to(const Walk& at) {
+    std::vector<Answer>& known = answers_[at.state];
+    if (moore_ || first_step_) {
+      for (const Answer& answer : known)
+        if (first_step_ || std::equal(choice_.begin(), choice_.end(), answer.bits.begin())) return answer;
+      known.push_back(first_step_ ? first_answer(at.state) : later_answer(at.state, choice_));
+      known.back().number = answer_count_++;
+      return known.back();
+    }
+    if (known.empty()) list_answers(at.state, known);
+    if (known.size() == 1) return known.front();
+    const auto [choice, fresh] = choices_.try_emplace({at.state, at.future, key_.goal}, 0U);
+    if (fresh) choice->second = best_of(at, known);
+    return known[choice->second];
+  }
+
+  [[nodiscard]] std::uint32_t best_of(const Walk& at, const std::vector<Answer>& answers) {
+    std::uint32_t best = 0, least = UINT32_MAX;
+    for (std::uint32_t i = 0; i < answers.size(); ++i) {
+      const Step reached = follow(at, answers[i]);
+      const auto state = states_.find({reached.future, static_cast<std::uint32_t>(reached.goal), 0});
+      if (!state || *state >= least) continue;
+      best = i;
+      least = *state;
+    }
+    return best;
+  }
+
+  /// In ascending order. Where a state may also depend on the observation, the first alone.
+  void list_answers(Cofactors::Id state, std::vector<Answer>& answers) {
+    const std::size_t most = options_.on_violation == OnViolation::Latch ? 1 : most_answers;
+    const std::vector<Bdd>& left = state_.functions(state);
+    std::vector<bdd::Literal> memories;
+    for (std::size_t i = 0; i < memory_bits_.size(); ++i)
+      memories.push_back({memory_bits_[i], left[Updates + i].is_true()});
+    bdd::Assignments moves(left[Moves].cofactor(game_.manager->cube(memories)), output_bits_);
+    while (answers.size() < most && moves.next()) {
+      answers.push_back(later_answer(state, {moves.values().begin(), moves.values().end()}));
+      answers.back().number = answer_count_++;
+    }
+    assert(!answers.empty());
   }
 
   /// Initial memories are chosen along, before the outputs.
@@ -322,29 +343,20 @@ class Extractor {
     return with_values({0, std::move(picked), {}, false, false});
   }
 
-  [[nodiscard]] Answer later_answer(Cofactors::Id state) const {
+  [[nodiscard]] Answer later_answer(Cofactors::Id state, std::vector<bool> outputs) const {
     const std::vector<Bdd>& left = state_.functions(state);
     std::vector<bdd::Literal> literals;
-    std::vector<bool> memories;
-    for (std::size_t i = 0; i < memory_bits_.size(); ++i) {
-      memories.push_back(left[Updates + i].is_true());
-      literals.push_back({memory_bits_[i], memories.back()});
-    }
-    const Bdd after = game_.manager->cube(literals);
     Answer answer;
-    if (moore_) {
-      answer.bits = choice_;
-    } else {
-      const Bdd moves = left[Moves].cofactor(after);
-      assert(!moves.is_false());
-      answer.bits = moves.pick(output_bits_);
-    }
+    answer.bits = std::move(outputs);
     for (std::size_t i = 0; i < output_bits_.size(); ++i)
       literals.push_back({output_bits_[i], answer.bits[i]});
+    for (std::size_t i = 0; i < memory_bits_.size(); ++i) {
+      answer.bits.push_back(left[Updates + i].is_true());
+      literals.push_back({memory_bits_[i], answer.bits.back()});
+    }
     const Bdd step = game_.manager->cube(literals);
     answer.waits = !left[Waits].cofactor(step).is_false();
     answer.met = !left[Met].cofactor(step).is_false();
-    answer.bits.insert(answer.bits.end(), memories.begin(), memories.end());
     return with_values(std::move(answer));
   }
 
@@ -382,6 +394,7 @@ class Extractor {
   Bdd valid_inputs_;
   std::unordered_map<std::uint64_t, Cofactors::Id> keys_;
   std::unordered_map<Cofactors::Id, std::vector<Answer>> answers_;
+  std::unordered_map<Situation, std::uint32_t, SituationHash> choices_;  ///< Among the answers of its state.
   States states_;
   std::uint32_t answer_count_ = 0;
   /// The builder's number for an answer and the columns that go with it.

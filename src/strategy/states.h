@@ -30,6 +30,11 @@ class States {
     if (added) keys_.push_back(key);
     return {found->second, added};
   }
+  /// Its number, if it has one.
+  [[nodiscard]] std::optional<std::uint32_t> find(const StateKey& key) const {
+    const auto found = numbers_.find(key);
+    return found == numbers_.end() ? std::nullopt : std::optional(found->second);
+  }
   [[nodiscard]] const StateKey& operator[](std::size_t i) const { return keys_[i]; }
   [[nodiscard]] std::size_t size() const { return keys_.size(); }
 
