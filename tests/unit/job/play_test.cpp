@@ -119,13 +119,12 @@ TEST(Play, NeedsNeitherProfileNorJudgement) {
 /// Two hundred cells and an onset to be remembered for sixty: the chain is replaced by ways through it, which
 /// begin at its start and end after as many cells.
 TEST(Play, SamplesWhatIsTooLongToWriteDown) {
-  const report::Play play =
-      made("stop-sign/stop-sign.toml",
-           {{"cells = 5\nonsets = [\n  { feature = \"sign\", uniform = [0, 3] }",
-             "cells = 200\nonsets = [\n  { feature = \"sign\", uniform = [0, 198] }"},
-            {"{ feature = \"octagon\", uniform = [\"sign\", \"never\"] }",
-             "{ feature = \"octagon\", fixed = \"sign + 60\" }"}})
-          .play;
+  const report::Play play = made("stop-sign/stop-sign.toml",
+                                 {{"cells = 5\nonsets = [\n  { feature = \"sign\", uniform = [0, 3] }",
+                                   "cells = 200\nonsets = [\n  { feature = \"sign\", uniform = [0, 198] }"},
+                                  {"{ feature = \"octagon\", uniform = [\"sign\", \"never\"] }",
+                                   "{ feature = \"octagon\", fixed = \"sign + 60\" }"}})
+                                .play;
   const report::PlayProfile& profile = play.profiles.back();
   const report::PlayApproach& approach = profile.approaches[profile.of[*play.approached]];
   ASSERT_TRUE(approach.sampled);
