@@ -276,7 +276,7 @@ class Reader {
     clause.formula = cursor.formula();
     clause.text = logic::to_string(clause.formula);
     for (const Part& part : parts)
-      if (part.section == section_) (spec_.*part.clauses).push_back(std::move(clause));
+      if (part.section == section_) (spec_.*part.clauses).push_back(clause);
   }
 
   void read_requirement(Cursor& cursor) {
