@@ -37,6 +37,43 @@ bool of_states(const Board& board, const std::vector<Bdd>& functions) {
   return true;
 }
 
+namespace {
+
+/// Long rankings have small sets with much in common, such as distances: many ranks in one look. Large sets
+/// go one by one, since a set before a step and one after it have little in common.
+class Block {
+ public:
+  explicit Block(const Board& board) : never_(board.encoding().constant(false)) { clear(); }
+
+  [[nodiscard]] static bool takes(const Bdd& layer, const Bdd& below) {
+    constexpr std::size_t most_nodes = 100;
+    return layer.node_count() <= most_nodes && below.node_count() <= most_nodes;
+  }
+  void add(const Bdd& layer, const Bdd& below) {
+    layers_.push_back(layer);
+    steps_.push_back(layer.and_next(below));
+  }
+  [[nodiscard]] bool full() const { return layers_.size() == 256; }
+  /// What escapes from the ranks taken, which are gone then.
+  [[nodiscard]] Bdd lost(const Bdd& met, const Escapes& escapes) {
+    if (layers_.empty()) return never_;
+    bdd::Manager& manager = never_.manager();
+    Bdd result = escapes(manager.disjunction(layers_), met | manager.disjunction(steps_));
+    clear();
+    return result;
+  }
+
+ private:
+  void clear() {
+    layers_.clear();
+    steps_.clear();
+  }
+  Bdd never_;
+  std::vector<Bdd> layers_, steps_;
+};
+
+}  // namespace
+
 void check_ranking(const Board& board, const Bdd& winning, const Ranking& ranking, const std::string& name,
                    const Escapes& escapes, Findings& findings) {
   const Bdd never = board.encoding().constant(false);
@@ -44,6 +81,10 @@ void check_ranking(const Board& board, const Bdd& winning, const Ranking& rankin
   // A goal of states is met by every step from where it holds.
   const Bdd unmet = ranking.met.step ? winning : winning.minus(ranking.met.relation);
   Bdd below = never;
+  Block block(board);
+  const auto look = [&](const Bdd& lost, std::size_t k) {
+    findings.none(lost, fmt::format("from rank {} of {} the system does not come nearer", k, name));
+  };
   for (std::size_t k = 0; k < ranking.ranks.size() && findings.sound(); ++k) {
     const auto& [states, assumption] = ranking.ranks[k];
     const Bdd upto = states & winning;
@@ -54,6 +95,9 @@ void check_ranking(const Board& board, const Bdd& winning, const Ranking& rankin
     Bdd lost;
     if (layer.is_false()) {
       lost = never;
+    } else if (!assumption && Block::takes(layer, below)) {
+      block.add(layer, below);
+      lost = block.full() ? block.lost(met, escapes) : never;
     } else if (!assumption) {
       lost = escapes(layer, nearer);
     } else if (const Justice& J_env = board.env_justice[*assumption]; J_env.step) {
@@ -62,9 +106,10 @@ void check_ranking(const Board& board, const Bdd& winning, const Ranking& rankin
       lost =
           escapes(layer & J_env.relation, nearer) | escapes(layer.minus(J_env.relation), met | upto.next());
     }
-    findings.none(lost, fmt::format("from rank {} of {} the system does not come nearer", k, name));
+    look(lost, k);
     below = upto;
   }
+  look(block.lost(met, escapes), ranking.ranks.size() - 1);
   findings.none(winning.minus(below), fmt::format("a state that is said to be won has no rank for {}", name));
 }
 
