@@ -26,6 +26,19 @@ const Option traces_option{"--traces", "N", "the scenario's", "0 ... 10^12",
 const Option threads_option{"--threads", "N", "1", "1 ... 256",
                             "Threads that sample; never changes a figure"};
 
+const std::vector<Option> synth_options{
+    {"--output", "FILE", "standard output", "", "Where the controller goes"},
+    {"--realizability", "", "", "", "Only ask: print REALIZABLE or UNREALIZABLE"},
+    {"--strategy", "FORM", "auto", "explicit|symbolic|auto",
+     "A machine listed state by state, or functions (docs/formats/symbolic.md)"},
+    {"--max-states", "N", "100000", "1 ... 10^9",
+     "With auto: how many states, before minimisation, and 20 times as many rows, are listed"},
+    {"--certify", "", "", "", "Also prove the verdict, either one, by ranks that are checked symbolically"},
+    {"--solver-option", "NAME=VALUE", "", "",
+     "Switch a technique of the solver, once for each; the verdict stays (docs/command-line.md)"},
+    {"--on-violation", "WORD", "undefined", "undefined|latch", "What answers an illegal observation"},
+    {"--exit-code", "STYLE", "heed", "heed|syntcomp", "0 and 1, or 10 and 20"}};
+
 std::vector<Command> scenario_commands() {
   return {
       {"run",
@@ -81,18 +94,7 @@ std::vector<Command> controller_commands() {
       {"synth",
        "Synthesize a controller from a specification",
        {{"SPEC", "Specification: .gr1, .slugsin, .structuredslugs or gr1c's .spc"}},
-       {{"--output", "FILE", "standard output", "", "Where the controller goes"},
-        {"--realizability", "", "", "", "Only ask: print REALIZABLE or UNREALIZABLE"},
-        {"--strategy", "FORM", "auto", "explicit|symbolic|auto",
-         "A machine listed state by state, or functions (docs/formats/symbolic.md)"},
-        {"--max-states", "N", "100000", "1 ... 10^9",
-         "With auto: how many states, before minimisation, and 20 times as many rows, are listed"},
-        {"--certify", "", "", "",
-         "Also prove the verdict, either one, by ranks that are checked symbolically"},
-        {"--solver-option", "NAME=VALUE", "", "",
-         "Switch a technique of the solver, once for each; the verdict stays (docs/command-line.md)"},
-        {"--on-violation", "WORD", "undefined", "undefined|latch", "What answers an illegal observation"},
-        {"--exit-code", "STYLE", "heed", "heed|syntcomp", "0 and 1, or 10 and 20"}},
+       synth_options,
        "heed synth out/stop-sign/awareness.gr1 -o awareness.controller.json",
        synth_command},
       {"convert",
