@@ -82,6 +82,7 @@ class Maker {
     play.description = scenario_.description;
     play.versions = {{"heed", version()}};
     play.cells = scenario_.profiles.empty() ? 5 : scenario_.profiles.front().spec.cells;
+    play.seed = options_.seed.value_or(play.seed);
     fill_plant();
     for (const Player& player : players_)
       if (!player.part->beside || play.subject.empty()) play.subject = player.part->name.text;
@@ -89,7 +90,7 @@ class Maker {
     const EvaluatePart& evaluate = *scenario_.evaluate;
     play.thing = evaluate.thing;
     play.kind = evaluate.kind;
-    play.seed = options_.seed.value_or(static_cast<std::uint32_t>(evaluate.seed));
+    if (!options_.seed) play.seed = static_cast<std::uint32_t>(evaluate.seed);
     if (evaluate.speed_wanted) play.speed = report::PlaySpeed{evaluate.cell_metres, evaluate.speed_kmh};
     play.event = evaluate.event.text;
     for (const OutcomePart& outcome : evaluate.outcomes) play.outcomes.push_back(outcome.label);

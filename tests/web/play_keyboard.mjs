@@ -57,7 +57,10 @@ export async function useKeyboard(page) {
   expect((await value('step')) === '2', 'arrows do not move the step');
   expect((await said()) !== quiet && (await said()).startsWith('Step 2'), 'the step is not announced');
 
+  await tabTo(page, 'clear');
+  await page.keyboard.press('Enter');
   const first = await page.evaluate(() => document.querySelector('[role=grid] button').id);
+  await page.evaluate(() => document.activeElement.blur());
   await tabTo(page, first);
   for (const key of ['ArrowRight', 'ArrowDown', 'Enter']) await page.keyboard.press(key);
   const pressed = await page.evaluate(() => [...document.querySelectorAll('[role=grid] [role=row]')].map((row) => [...row.querySelectorAll('button')].map((button) => button.getAttribute('aria-pressed')).join(' ')));

@@ -3,7 +3,7 @@ import type { Play } from './data';
 import { cellsOf, fromHash, toHash, type State } from './link';
 import { indexObservations } from './machine';
 import { derive, type Model } from './model';
-import { nothingSeen, sample } from './perception';
+import { nothingSeen, sample, type Seen } from './perception';
 import type { View } from './view';
 
 const TICK = 900;
@@ -18,6 +18,7 @@ export class App {
   constructor(readonly play: Play) {
     this.index = indexObservations(play);
     this.current = fromHash(play, location.hash);
+    if (location.hash === '') this.current.seen = this.firstLook(this.current.thing, this.current.seed);
     window.addEventListener('hashchange', () => {
       if (location.hash === toHash(this.play, this.current)) return;
       this.pause();
@@ -59,10 +60,15 @@ export class App {
     return location.href.replace(/#.*/, '') + toHash(this.play, this.current);
   }
 
-  /** What was seen of the one thing makes no sense of the other. */
+  /** What was seen of the one thing makes no sense of the other: it is drawn anew, where there is a profile. */
   choose(thing: number): void {
     this.pause();
-    this.change({ thing, seen: nothingSeen(this.play, this.cells()), at: 0 });
+    this.change({ thing, seen: this.firstLook(thing, this.current.seed), at: 0 });
+  }
+
+  private firstLook(thing: number, seed: number): Seen {
+    const profile = this.play.profiles[this.current.profile];
+    return profile ? sample(this.play, profile, thing, seed) : nothingSeen(this.play, this.cells());
   }
 
   takeProfile(profile: number): void {

@@ -152,7 +152,7 @@ class Board {
     const box = (label: string, id: string, on: boolean, change: (on: boolean) => void): HTMLElement =>
       h('label', { class: 'check', for: id }, h('input', { type: 'checkbox', id, checked: on, change: (event: Event) => change((event.target as HTMLInputElement).checked) }), label);
     return h('div', { class: 'options' },
-      h('p', { id: 'see-help', class: 'soft' }, 'Press a cell to show or hide a feature from there on. Arrow keys move, Enter presses.'),
+      h('p', { id: 'see-help', class: 'soft' }, 'You are the camera: press a cell to show or hide a feature from there on, or draw a run above. Arrow keys move, Enter presses.'),
       h('div', { class: 'checks' },
         box('Single cells (flicker)', 'single', this.single, (on) => { this.single = on; }),
         box('Misreadings, too', 'everything', this.everything, (on) => { this.everything = on; this.app.refresh(); }),
