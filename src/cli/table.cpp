@@ -89,6 +89,20 @@ std::vector<Command> scenario_commands() {
        spec_command}};
 }
 
+std::vector<Option> simulate_options() {
+  return {
+      {"--profile", "NAME", "all", "", "Only this profile of the scenario"},
+      {"--thing", "NAME", "the scenario's", "", "Entity on the road, or \"none\""},
+      {"--chain", "FORMAT", "", "prism|jani", "Write controller and profile as Markov chains, too"},
+      {"--output", "FOLDER", ".", "", "Where the chains go"},
+      {"--width", "W", "", "0 ... 1", "Sample until every interval is that narrow, or --traces are drawn"},
+      {"--rare", "OUTCOME", "", "", "Estimate an outcome too rare for samples, by splitting"},
+      {"--particles", "N", "20000", "1 ... 10^8", "Runs kept alive for --rare, in each of 16 repetitions"},
+      seed_option,
+      traces_option,
+      threads_option};
+}
+
 std::vector<Command> controller_commands() {
   return {
       {"synth",
@@ -113,16 +127,7 @@ std::vector<Command> controller_commands() {
       {"simulate",
        "Evaluate controllers from disk, exactly and by samples",
        {{"SCENARIO", "Scenario file"}, {"CONTROLLER", "Controller files", true, true}},
-       {{"--profile", "NAME", "all", "", "Only this profile of the scenario"},
-        {"--thing", "NAME", "the scenario's", "", "Entity on the road, or \"none\""},
-        {"--chain", "FORMAT", "", "prism|jani", "Write controller and profile as Markov chains, too"},
-        {"--output", "FOLDER", ".", "", "Where the chains go"},
-        {"--width", "W", "", "0 ... 1", "Sample until every interval is that narrow, or --traces are drawn"},
-        {"--rare", "OUTCOME", "", "", "Estimate an outcome too rare for samples, by splitting"},
-        {"--particles", "N", "20000", "1 ... 10^8", "Runs kept alive for --rare, in each of 16 repetitions"},
-        seed_option,
-        traces_option,
-        threads_option},
+       simulate_options(),
        "heed simulate examples/stop-sign/stop-sign.toml out/stop-sign/awareness.controller.json --profile P2",
        simulate_command},
       {"export",
