@@ -18,7 +18,7 @@ struct Finished {
   bool found = true;  ///< The program could be started.
   int exit_code = 0;  ///< Where it ended by itself.
   int signal = 0;     ///< That ended it, or 0.
-  std::string log;    ///< Both outputs, the first MiB.
+  std::string log{};  ///< Both outputs, the first MiB.
 };
 
 /// Runs a program to its end, without input. It and what it started are killed when time is up.
