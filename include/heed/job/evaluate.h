@@ -59,9 +59,9 @@ struct Evaluation {
 };
 struct EvaluateOptions {
   std::uint64_t traces = 0, seed = 1;
-  double width = 0;  ///< Above 0: sample until every interval is that narrow, at most `traces` times.
   unsigned threads = 1;
   bool never_apart = false;
+  double width = 0;  ///< Above 0: sample until every interval is that narrow, at most `traces` times.
 };
 [[nodiscard]] Evaluation evaluate(const Scenario& scenario, const World& world, const ProfilePart& profile,
                                   const model::Mealy& machine, Thing thing, const EvaluateOptions& options,
