@@ -91,7 +91,10 @@ class Extractor {
     builder_.add_state();
     for (std::size_t i = 0; i < states_.size(); ++i) expand(static_cast<std::uint32_t>(i));
     add_assumptions();
-    if (relies_) builder_.add_note("somewhere it can only wait for an assumption to fail");
+    if (relies_)
+      builder_.add_note(
+          "somewhere it makes no progress of its own and waits for what is assumed to happen again and "
+          "again");
     return {builder_.finish(), relies_};
   }
 
@@ -193,8 +196,22 @@ class Extractor {
     if (options_.on_violation == OnViolation::Latch)
       latch_.fill(key_.observation, [&](const model::Valuation& letter, const LegalRow& row) {
         count_row();
+        if (first_step_ && is_left_out(letter)) return;
         builder_.add(from_, {builder_.input_letter(letter), row.output, row.next, true});
       });
+  }
+
+  /// Whether the play could begin with \p letter, but the system, which may choose how it begins, does not
+  /// want that: no assumption is broken then, so that no fallback may answer.
+  [[nodiscard]] bool is_left_out(const model::Valuation& letter) const {
+    if (game_.spec->initial != spec::InitialQuantifiers::ExistsExists) return false;
+    const std::vector<Var> bits = game_.bits(Owner::Input, false);
+    const model::Valuation low = lowest(game_, Owner::Input);
+    return game_.initial_inputs().evaluate([&](Var variable) {
+      const auto bit = static_cast<std::size_t>(std::find(bits.begin(), bits.end(), variable) - bits.begin());
+      const Place& place = input_places_[bit];
+      return ((letter[place.variable] - low[place.variable]) / place.weight) % 2 == 1;
+    });
   }
 
   /// A place in the walk over one state's letters.

@@ -116,7 +116,9 @@ model::SymbolicController make_symbolic(const game::Game& game, const game::Regi
     result.goals.push_back({writer.add(determiner.functions(rules[goal].moves, outputs)),
                             writer.add(game.sys_justice[goal].relation), levels_of(region, goal, writer)});
   }
-  if (waits) result.notes.emplace_back("somewhere it can only wait for an assumption to fail");
+  if (waits)
+    result.notes.emplace_back(
+        "somewhere it makes no progress of its own and waits for what is assumed to happen again and again");
   resolve(result, writer);
   return result;
 }
