@@ -65,7 +65,7 @@ function updateLane(model: Model, lane: Lane, run: Drive): void {
   const step = run.steps[known];
   const left = Number.isFinite(step.left) ? step.left : model.cells - at;
   const brakes = step.outcome >= 0 && step.outcome !== model.play.miss;
-  lane.car.style.left = percent(shareOf(left, model.cells));
+  lane.car.style.left = `max(2rem, ${percent(shareOf(left, model.cells))})`;  // before the first cell it still shows its speed
   lane.car.classList.toggle('brakes', brakes);
   setText(lane.speed, speedWords(step.kmh));
   const decided = run.decided >= 0 && run.decided <= at && run.outcome !== model.play.miss;
