@@ -70,6 +70,15 @@ Bdd put_in(Bdd function, const std::vector<bdd::Var>& variables, const Functions
   return function;
 }
 
+/// Whether each function uses only the variables before its own. Else the values are no functions of what is
+/// known: a bit that must differ from itself has none, and what has no step makes no bad one.
+bool in_order(const Functions& functions, const std::vector<bdd::Var>& variables) {
+  for (std::size_t i = 0; i < functions.size(); ++i)
+    for (std::size_t later = i; later < variables.size(); ++later)
+      if (functions[i].depends_on(variables[later])) return false;
+  return true;
+}
+
 /// A controller against its specification: every check is that no step which it makes from a state of
 /// `winning` on a legal observation is bad.
 class ControllerCheck {
@@ -115,6 +124,8 @@ class ControllerCheck {
     Functions values = tables_.start_memories;
     for (const bdd::Var variable : board_.encoding().bits(Owner::Output, false)) chosen.push_back(variable);
     values.insert(values.end(), tables_.start_outputs.begin(), tables_.start_outputs.end());
+    if (!findings_.require(in_order(values, chosen), "a first value depends on itself or on later ones"))
+      return;
     const Bdd& legal = board_.first_inputs;
     findings_.require(board_.encoding().cube(Owner::Input, false).entails(tables_.answered.support()),
                       "which first observations are answered depends on more than these");
@@ -168,6 +179,8 @@ class ControllerCheck {
   void check_goal(std::size_t number) {
     const Tables::Goal& goal = tables_.goals[number];
     const std::string name = fmt::format("goal '{}'", board_.sys_justice[number].text);
+    if (!findings_.require(in_order(goal.answers, outputs_), "an answer depends on itself or on later ones"))
+      return;
     if (board_.moore())
       findings_.require(!depends(goal.answers, {Owner::Input, Owner::Memory}, true),
                         "an answer depends on the observation of the same step");
