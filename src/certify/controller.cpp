@@ -167,6 +167,9 @@ class ControllerCheck {
   }
 
   void columns() {
+    if (!findings_.require(!depends(tables_.updates, {Owner::Output, Owner::Memory}, true),
+                           "a memory's next value depends on what is chosen after it, or on itself"))
+      return;
     findings_.none(winning_ & board_.legal(!tables_.legal), "a legal observation is not answered");
     for (std::size_t i = 0; i < tables_.updates.size(); ++i)
       findings_.none(winning_ & board_.legal(tables_.updates[i] ^ board_.updates[i]),

@@ -66,6 +66,30 @@ TEST(CertifyController, EachThingThatItDoesIsLookedAt) {
   EXPECT_PRED2(starts, fault(echo("[0, null]", "[0, 1]"), echo_spec), "a rank waits for an assumption");
 }
 
+// A value that must differ from itself has no step, so that none is bad; one that is whatever it is equals
+// anything. What runs the controller has to begin somewhere, and does neither.
+TEST(CertifyController, NothingIsDefinedByItself) {
+  model::SymbolicController answers = echo();
+  answers.diagrams.nodes.push_back({3, 1, 0});
+  answers.goals[0].answers = {7};
+  EXPECT_EQ(fault(answers, echo_spec), "an answer depends on itself or on later ones");
+  model::SymbolicController starts = echo();
+  starts.diagrams.nodes.push_back({2, 1, 0});
+  starts.start.outputs = {7};
+  EXPECT_EQ(fault(starts, echo_spec), "a first value depends on itself or on later ones");
+  model::SymbolicController remembers = echo();
+  remembers.memories = {{{"m", model::Domain::boolean(), {}, {}}, model::OutputRole::Memory}};
+  remembers.diagrams.order.insert(remembers.diagrams.order.end(), {4, 5});
+  remembers.diagrams.nodes.push_back({5, 1, 0});
+  remembers.start.memories = {model::function_false};
+  remembers.updates = {4};
+  const std::string remembering = std::string(echo_spec) + "[memory]\nm : boolean = false\nm' = red'\n";
+  EXPECT_EQ(fault(remembers, remembering), "");
+  remembers.updates = {6};
+  EXPECT_EQ(fault(remembers, remembering),
+            "a memory's next value depends on what is chosen after it, or on itself");
+}
+
 TEST(CertifyController, AGoalIsNotMetBecauseTheControllerSaysSo) {
   const std::string wants = std::string(echo_spec) + "[sys justice]\naction = halt\n";
   EXPECT_NE(fault(echo(), wants).find("is taken to be met where it is not"), std::string::npos);
