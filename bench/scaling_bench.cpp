@@ -9,40 +9,22 @@
 #include <heed/util/file.h>
 
 #include <cstdlib>
-#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <functional>
-#include <stdexcept>
 #include <string>
 
 #include "generators/parts_scenario.h"
+#include "watch.h"
 
 namespace heed::bench {
 namespace {
-
-class Watch {
- public:
-  /// CPU seconds since the last call.
-  double lap() {
-    const std::clock_t now = std::clock(), before = last_;
-    last_ = now;
-    return static_cast<double>(now - before) / CLOCKS_PER_SEC;
-  }
-
- private:
-  std::clock_t last_ = std::clock();
-};
 
 /// As `heed run` would: without the assumptions on perception where they may be dropped.
 spec::Gr1 played(const job::Design& design, job::Violation on_violation) {
   if (on_violation == job::Violation::Drop)
     if (auto free = job::without_perception_assumptions(design.composed.spec)) return *std::move(free);
   return design.composed.spec;
-}
-
-void insist(bool right, const std::string& fault) {
-  if (!right) throw std::runtime_error(fault);
 }
 
 using Print = std::function<void(const char*, double)>;

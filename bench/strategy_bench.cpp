@@ -8,31 +8,14 @@
 #include <heed/strategy/synthesize.h>
 #include <heed/util/file.h>
 
-#include <ctime>
 #include <exception>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
+
+#include "watch.h"
 
 namespace heed::bench {
 namespace {
-
-class Watch {
- public:
-  /// CPU seconds since the last call.
-  double lap() {
-    const std::clock_t now = std::clock(), before = last_;
-    last_ = now;
-    return static_cast<double>(now - before) / CLOCKS_PER_SEC;
-  }
-
- private:
-  std::clock_t last_ = std::clock();
-};
-
-void insist(bool right, const std::string& fault) {
-  if (!right) throw std::runtime_error("refused: " + fault);
-}
 
 void measure(const std::string& form, const std::string& path) {
   const std::string row = std::filesystem::path(path).stem().string();
