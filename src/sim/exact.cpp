@@ -24,7 +24,7 @@ using Layer = std::map<Standing, Rational>;
 
 class ExactRun {
  public:
-  ExactRun(const Run& run, util::Budget& budget) : run_(run), budget_(budget) {
+  ExactRun(const Run& run, util::Budget& budget) : run_(run), budget_(budget), letters_(run) {
     outcome_.probability.resize(run.judge.categories.size());
   }
 
@@ -50,7 +50,7 @@ class ExactRun {
       const Chain::Step& drawn = chain.steps[i];
       Standing moved = standing;
       moved.chain = drawn.next;
-      observe(moved, letter(drawn.seen), probability * drawn.probability, next);
+      observe(moved, letters_.letter(drawn.seen), probability * drawn.probability, next);
     }
   }
 
@@ -79,16 +79,10 @@ class ExactRun {
     outcome_.probability[category] += probability;
   }
 
-  std::optional<std::uint32_t> letter(std::uint64_t seen) {
-    const auto [found, added] = letters_.try_emplace(seen);
-    if (added) found->second = run_.machine.input_letter(observation(run_.binding, seen));
-    return found->second;
-  }
-
   const Run& run_;
   util::Budget& budget_;
   ExactOutcome outcome_;
-  std::map<std::uint64_t, std::optional<std::uint32_t>> letters_;
+  LetterCache letters_;
 };
 
 }  // namespace

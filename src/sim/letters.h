@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <map>
 #include <optional>
 
 namespace heed::sim {
@@ -16,6 +17,23 @@ namespace heed::sim {
     if (seen >> wire.feature & 1) result[wire.input] = wire.value;
   return result;
 }
+
+/// The machine's letter for what is reported, looked up once.
+class LetterCache {
+ public:
+  explicit LetterCache(const Run& run) : run_(run) {}
+
+  /// Nothing where the machine does not know it.
+  std::optional<std::uint32_t> letter(std::uint64_t seen) {
+    const auto [found, added] = letters_.try_emplace(seen);
+    if (added) found->second = run_.machine.input_letter(observation(run_.binding, seen));
+    return found->second;
+  }
+
+ private:
+  const Run& run_;
+  std::map<std::uint64_t, std::optional<std::uint32_t>> letters_;
+};
 
 inline void assert_fits([[maybe_unused]] const Run& run) {
   assert(run.judge.event.size() == run.machine.transitions.size());

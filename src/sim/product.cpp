@@ -21,7 +21,7 @@ struct Key {
 
 class Lister {
  public:
-  Lister(const Run& run, util::Budget& budget) : run_(run), budget_(budget) {
+  Lister(const Run& run, util::Budget& budget) : run_(run), budget_(budget), letters_(run) {
     product_.controller = run.machine.name;
     product_.profile = run.chain.profile;
     product_.categories = run.judge.categories;
@@ -47,7 +47,7 @@ class Lister {
     for (std::uint32_t i = chain.first[from.chain]; i < chain.first[from.chain + 1]; ++i) {
       Key moved = from;
       moved.chain = chain.steps[i].next;
-      row[number(observe(moved, letter(chain.steps[i].seen)), cells)] += chain.steps[i].probability;
+      row[number(observe(moved, letters_.letter(chain.steps[i].seen)), cells)] += chain.steps[i].probability;
     }
     for (auto& [next, probability] : row) product_.steps.push_back({probability, next});
   }
@@ -85,18 +85,12 @@ class Lister {
     return found->second;
   }
 
-  std::optional<std::uint32_t> letter(std::uint64_t seen) {
-    const auto [found, added] = letters_.try_emplace(seen);
-    if (added) found->second = run_.machine.input_letter(observation(run_.binding, seen));
-    return found->second;
-  }
-
   const Run& run_;
   util::Budget& budget_;
   Product product_;
   std::map<Key, std::uint32_t> numbers_;
   std::vector<Key> keys_;
-  std::map<std::uint64_t, std::optional<std::uint32_t>> letters_;
+  LetterCache letters_;
 };
 
 }  // namespace
