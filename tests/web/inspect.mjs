@@ -6,6 +6,7 @@ import { pathToFileURL } from 'node:url';
 import { compareCurves, compareLengths, compareNumbers, findMissing } from './compare.mjs';
 
 const SKIPPED = 77;
+const MOST_SHOWN = 12;
 const BROWSER = process.env.HEED_CHROMIUM ?? '/usr/bin/chromium';
 const FLAGS = [
   '--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
@@ -226,4 +227,16 @@ export async function inspect(browser, file, json, { views = VIEWS, paper = true
     await readAsXml(browser, file, check);
   }
   return results;
+}
+
+/** Says what failed, and ends the program: 0 where nothing did. */
+export function conclude(results) {
+  const failed = results.filter(({ problems }) => problems.length > 0);
+  for (const { name, problems } of failed) {
+    console.log(`FAILED ${name}`);
+    for (const problem of problems.slice(0, MOST_SHOWN)) console.log(`  ${problem}`);
+    if (problems.length > MOST_SHOWN) console.log(`  and ${problems.length - MOST_SHOWN} more`);
+  }
+  console.log(`${results.length - failed.length} passed, ${failed.length} failed`);
+  process.exit(failed.length === 0 ? 0 : 1);
 }

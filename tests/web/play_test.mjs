@@ -6,13 +6,12 @@ import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-import { findContrast, findOverflow, launch, VIEWS } from './inspect.mjs';
+import { conclude, findContrast, findOverflow, launch, VIEWS } from './inspect.mjs';
 import { compareProfiles, compareReactions } from './play_compare.mjs';
 import { useKeyboard } from './play_keyboard.mjs';
 
 const MOST_BYTES = 1_000_000;
 const MOST_MILLISECONDS = 1000;
-const MOST_SHOWN = 12;
 
 /** Opens \p address with everything that the page asks for or complains about written down. */
 async function open(browser, address, { width = 1280, colorScheme = 'light' } = {}) {
@@ -154,11 +153,4 @@ const browser = await launch();
 const setting = { heed, scenario, folder };
 const results = flaws === '--flaws' ? await tryFlaws(browser, file, { ...setting, every: 7, views: VIEWS.slice(-2, -1) }) : await inspectPlay(browser, file, setting);
 await browser.close();
-const failed = results.filter(({ problems }) => problems.length > 0);
-for (const { name, problems } of failed) {
-  console.log(`FAILED ${name}`);
-  for (const problem of problems.slice(0, MOST_SHOWN)) console.log(`  ${problem}`);
-  if (problems.length > MOST_SHOWN) console.log(`  and ${problems.length - MOST_SHOWN} more`);
-}
-console.log(`${results.length - failed.length} passed, ${failed.length} failed`);
-process.exit(failed.length === 0 ? 0 : 1);
+conclude(results);

@@ -3,9 +3,7 @@
 // behind it, nothing is requested, nothing is complained about, and every number of a picture is the document's.
 import { readFileSync } from 'node:fs';
 
-import { inspect, launch } from './inspect.mjs';
-
-const MOST_SHOWN = 12;
+import { conclude, inspect, launch } from './inspect.mjs';
 
 const [file, document] = process.argv.slice(2);
 if (!file || !document) {
@@ -15,12 +13,4 @@ if (!file || !document) {
 const browser = await launch();
 const results = await inspect(browser, file, JSON.parse(readFileSync(document, 'utf8')));
 await browser.close();
-
-const failed = results.filter(({ problems }) => problems.length > 0);
-for (const { name, problems } of failed) {
-  console.log(`FAILED ${name}`);
-  for (const problem of problems.slice(0, MOST_SHOWN)) console.log(`  ${problem}`);
-  if (problems.length > MOST_SHOWN) console.log(`  and ${problems.length - MOST_SHOWN} more`);
-}
-console.log(`${results.length - failed.length} passed, ${failed.length} failed`);
-process.exit(failed.length === 0 ? 0 : 1);
+conclude(results);
