@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "generators/parts_scenario.h"
+#include "temporary_folder.h"
 
 namespace heed {
 namespace {
@@ -27,14 +28,12 @@ void PrintTo(const Size& size, std::ostream* out) {
 }
 
 Size synthesized(const bench::PartsScenario& wanted) {
-  const std::string folder = ::testing::TempDir() + "heed-" + std::to_string(wanted.parts) + "-" +
-                             std::to_string(wanted.cells) + wanted.on_violation;
-  const auto scenario = job::read_scenario(util::read_file(bench::write_scenario(wanted, folder)));
+  const heed::test::TemporaryFolder folder;
+  const auto scenario = job::read_scenario(util::read_file(bench::write_scenario(wanted, folder.path())));
   util::Budget budget;
   const job::World world = job::load_world(scenario, budget.limits(), budget);
   const job::Synthesized done = job::synthesize(job::design(scenario, world, scenario.controllers.front()),
                                                 scenario.perception.on_violation, budget);
-  std::filesystem::remove_all(folder);
   EXPECT_TRUE(done.verdict && done.verdict->verified);
   EXPECT_EQ(done.assumptions_dropped, wanted.on_violation == "drop");
   if (!done.result.machine) return {};

@@ -1,6 +1,7 @@
 // What the OWL API writes in its five syntaxes are the same axioms to heed, and the OWL API reads what heed
 // writes. Convert.java is the other side.
 #include "axioms.h"
+#include "temporary_folder.h"
 
 #include <heed/owl/write.h>
 
@@ -24,30 +25,23 @@ class OwlApi : public testing::Test {
  protected:
   void SetUp() override {
     if (!installed()) GTEST_SKIP() << "no OWL API (Debian: libowlapi-java, default-jdk-headless)";
-    folder_ =
-        testing::TempDir() + "/heed-oracle-" + testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override {
-    if (!folder_.empty()) std::filesystem::remove_all(folder_);
   }
 
   /// Converts all of \p files in one run of Java.
   void convert(const std::vector<std::string>& files) const {
-    std::string command =
-        fmt::format("java -cp '{0}/*' '{1}/tests/oracle/Convert.java' '{2}'", jars, HEED_SOURCE_DIR, folder_);
+    std::string command = fmt::format("java -cp '{0}/*' '{1}/tests/oracle/Convert.java' '{2}'", jars,
+                                      HEED_SOURCE_DIR, folder_.path());
     for (const std::string& file : files) command += fmt::format(" '{}'", file);
-    command += fmt::format(" 2>'{}/messages'", folder_);
+    command += fmt::format(" 2>'{}'", folder_.path("messages"));
     if (std::system(command.c_str()) != 0)
-      ADD_FAILURE() << util::read_file(folder_ + "/messages").text().substr(0, 2000);
+      ADD_FAILURE() << util::read_file(folder_.path("messages")).text().substr(0, 2000);
   }
 
   [[nodiscard]] std::string converted(const std::string& file, const std::string& extension) const {
-    return folder_ + "/" + std::filesystem::path(file).filename().string() + "." + extension;
+    return folder_.path(std::filesystem::path(file).filename().string() + "." + extension);
   }
 
-  std::string folder_;
+  heed::test::TemporaryFolder folder_;
 };
 
 /// Two names that are inverse to each other may stand in either order.
@@ -107,9 +101,9 @@ TEST_F(OwlApi, ReadsWhatIsWritten) {
   std::vector<std::string> written;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const Ontology ontology = read_path(files[i]);
-    written.push_back(fmt::format("{}/{}.functional.ofn", folder_, i));
+    written.push_back(folder_.path(fmt::format("{}.functional.ofn", i)));
     util::write_file(written.back(), write_functional(ontology));
-    written.push_back(fmt::format("{}/{}.turtle.ttl", folder_, i));
+    written.push_back(folder_.path(fmt::format("{}.turtle.ttl", i)));
     util::write_file(written.back(), write_turtle(ontology));
   }
   convert(written);

@@ -1,4 +1,5 @@
 #include "support.h"
+#include "temporary_folder.h"
 
 #include <heed/dl/konclude.h>
 #include <heed/owl/vocabulary.h>
@@ -20,17 +21,16 @@ bool installed() {
 /// A program in place of Konclude: a shell script whose last argument is where the answer goes.
 class Pretender {
  public:
-  explicit Pretender(const std::string& body) : path_(testing::TempDir() + "/heed-pretender") {
-    std::ofstream(path_) << "#!/bin/sh\nfor last; do :; done\n" << body << '\n';
-    std::filesystem::permissions(path_, std::filesystem::perms::owner_all);
+  explicit Pretender(const std::string& body) {
+    std::ofstream(program()) << "#!/bin/sh\nfor last; do :; done\n" << body << '\n';
+    std::filesystem::permissions(program(), std::filesystem::perms::owner_all);
   }
-  ~Pretender() { std::filesystem::remove(path_); }
-  Pretender(const Pretender&) = delete;
-  Pretender& operator=(const Pretender&) = delete;
-  [[nodiscard]] KoncludeOptions options() const { return {.program = path_, .seconds = 20}; }
+  [[nodiscard]] KoncludeOptions options() const { return {.program = program(), .seconds = 20}; }
 
  private:
-  std::string path_;
+  [[nodiscard]] std::string program() const { return folder_.path("konclude"); }
+
+  heed::test::TemporaryFolder folder_;
 };
 
 const std::string disjunctive =

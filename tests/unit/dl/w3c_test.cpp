@@ -1,3 +1,4 @@
+#include "temporary_folder.h"
 #include "w3c_cases.h"
 
 #include <fmt/format.h>
@@ -49,17 +50,17 @@ class Verdicts {
   [[nodiscard]] owl::Ontology read(const W3cCase& given, const std::string& text) const {
     util::Diagnostics diagnostics;
     if (given.imports.empty()) return owl::read(util::SourceText("premise", text), {}, diagnostics);
-    const std::string folder = testing::TempDir();
+    const heed::test::TemporaryFolder folder;
     owl::ImportOptions options;
     options.use_catalog = false;
     options.allow_missing = true;
     for (const std::string& name : given.imports) {
       const W3cCase& imported = all_.at(name);
-      util::write_file(folder + "/" + name, imported.texts.at("rdfXmlInputOntology"));
-      options.mapping.emplace_back(imported.import_iri, folder + "/" + name);
+      util::write_file(folder.path(name), imported.texts.at("rdfXmlInputOntology"));
+      options.mapping.emplace_back(imported.import_iri, folder.path(name));
     }
-    util::write_file(folder + "/premise.rdf", text);
-    return owl::load(folder + "/premise.rdf", options, {}, diagnostics);
+    util::write_file(folder.path("premise.rdf"), text);
+    return owl::load(folder.path("premise.rdf"), options, {}, diagnostics);
   }
 
   void judge(const W3cCase& given, const std::string& syntax, const owl::Ontology& premise) {

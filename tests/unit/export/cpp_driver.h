@@ -8,15 +8,15 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "machines.h"
+#include "temporary_folder.h"
 
 namespace heed::exporter::testing {
+
+using heed::test::TemporaryFolder;
 
 /// A machine, and the names that its code must have. Empty: those of its variables.
 struct Sample {
@@ -63,31 +63,6 @@ inline std::string driver(const std::vector<Sample>& samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) out += fmt::format("    case {0}: run_{0}(); break;\n", i);
   return out + "    default: return 1;\n  }\n  return 0;\n}\n";
 }
-
-/// A folder that goes when the test does.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "heed_export_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) std::abort();
-    path_ = name;
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-  }
-  [[nodiscard]] std::string read(const std::string& name) const {
-    std::ostringstream out;
-    out << std::ifstream(path_ / name, std::ios::binary).rdbuf();
-    return out.str();
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 inline int shell(const std::string& command) {
   return std::system(command.c_str());

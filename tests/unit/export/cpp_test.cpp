@@ -156,10 +156,10 @@ TEST(Cpp, CompiledControllersDoWhatTheMachineSaysOnAllReachableTransitions) {
   for (std::size_t i = 0; i < machines.size(); ++i)
     folder.write(fmt::format("m{}.h", i), to_cpp(machines[i].machine));
   folder.write("main.cpp", driver(machines));
-  const std::string source = folder.file("main.cpp");
+  const std::string source = folder.path("main.cpp");
   ASSERT_EQ(shell("g++ -fsyntax-only" + flags + source), 0);
   ASSERT_EQ(shell("g++ -fno-exceptions -fno-rtti -fsanitize=undefined -fno-sanitize-recover=all" + flags +
-                  source + " -o " + folder.file("run")),
+                  source + " -o " + folder.path("run")),
             0);
   if (shell("command -v clang++-16 > /dev/null") == 0) {
     EXPECT_EQ(shell("clang++-16 -fsyntax-only" + flags + source), 0);
@@ -172,7 +172,7 @@ TEST(Cpp, CompiledControllersDoWhatTheMachineSaysOnAllReachableTransitions) {
     const Script script(machines[i].machine);
     folder.write("in", script.commands);
     ASSERT_EQ(
-        shell(fmt::format("{} {} < {} > {}", folder.file("run"), i, folder.file("in"), folder.file("out"))),
+        shell(fmt::format("{} {} < {} > {}", folder.path("run"), i, folder.path("in"), folder.path("out"))),
         0);
     EXPECT_TRUE(folder.read("out") == script.expected);
     EXPECT_GT(script.expected.size(), 20U);

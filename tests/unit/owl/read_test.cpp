@@ -1,4 +1,5 @@
 #include "axioms.h"
+#include "temporary_folder.h"
 
 #include <heed/owl/signature.h>
 #include <heed/owl/vocabulary.h>
@@ -109,21 +110,15 @@ TEST(Read, OtherEncodingsAreConvertedOrRefused) {
 
 class Imports : public testing::Test {
  protected:
-  Imports()
-      : folder_(testing::TempDir() + "heed-imports-" +
-                testing::UnitTest::GetInstance()->current_test_info()->name()) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~Imports() override { std::filesystem::remove_all(folder_); }
   std::string write(const std::string& name, const std::string& text) {
-    std::ofstream(folder_ + "/" + name) << text;
-    return folder_ + "/" + name;
+    std::ofstream(folder_.path(name)) << text;
+    return folder_.path(name);
   }
   std::string document(const std::string& self, const std::string& import, const std::string& body) {
     return turtle_head + "<http://e/" + self + "> a owl:Ontology ; owl:imports <http://e/" + import +
            "> .\n" + body;
   }
-  std::string folder_;
+  heed::test::TemporaryFolder folder_;
 };
 
 TEST_F(Imports, FollowTheCatalogueAndEndInCycles) {

@@ -1,10 +1,11 @@
+#include "temporary_folder.h"
+
 #include <heed/util/diagnostic.h>
 #include <heed/util/file.h>
 #include <heed/util/limits.h>
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 namespace heed::util {
@@ -14,27 +15,22 @@ namespace fs = std::filesystem;
 
 class FileTest : public testing::Test {
  protected:
-  FileTest() {
-    std::string name = (fs::temp_directory_path() / "heed-file-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~FileTest() override { fs::remove_all(folder_); }
-  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.path(name); }
 
-  fs::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(FileTest, WritesWholeAndReadsBack) {
   write_file(path("a"), "first");
   write_file(path("a"), "second");
   EXPECT_EQ(read_file(path("a")).text(), "second");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1)
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1)
       << "no temporary is left";
 }
 
 TEST_F(FileTest, RefusesWhatItCannotRead) {
   EXPECT_THROW((void)read_file(path("none")), InputError);
-  EXPECT_THROW((void)read_file(folder_.string()), InputError);
+  EXPECT_THROW((void)read_file(folder_.path()), InputError);
   EXPECT_THROW(write_file(path("none/a"), "x"), InputError);
 }
 
