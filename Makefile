@@ -24,7 +24,7 @@ corpus:              ## the tests over inputs that nobody here wrote (HEED_CORPU
 
 # A test of processor time, which sanitizers multiply.
 NOT_SANITIZED = RdfXml.RefusesHostileEntities
-ROOMS ?= util logic owl dl bdd model awareness spec game strategy check sim export report
+ROOMS ?= util logic owl dl bdd model awareness spec game strategy check certify sim export report
 sanitize:            ## unit tests of ROOMS under address and undefined-behaviour sanitizers
 	@scripts/setup test
 	@cmake --preset asan-ubsan >/dev/null

@@ -228,20 +228,26 @@ void Parser::reduce() {
   operands_.push_back(std::move(result));
 }
 
+/// What should have stood where an operand is missing.
+std::string hint_for_operand(bool alone, bool parenthesis, bool prefix) {
+  if (alone) return "what always holds is written true";
+  if (parenthesis) return "parentheses hold one formula: (a | b)";
+  return prefix ? "a prefix operator stands before a formula: G a"
+                : "an operator between formulas has one on each side: a | b";
+}
+
 void Parser::fail_operand(const Token& token) const {
-  const std::string after =
-      pending_.empty() ? std::string() : fmt::format(" after '{}'", pending_.back().text);
-  if (token.kind == Token::Kind::End && pending_.empty())
-    throw util::InputError(source_, token.offset, "syntax", "expected a formula, found nothing");
-  if (token.kind == Token::Kind::End)
-    throw util::InputError(source_, token.offset, "syntax",
-                           fmt::format("expected a formula{}, but the text ends", after));
-  std::string hint;
+  const bool alone = pending_.empty();
+  const std::string after = alone ? std::string() : fmt::format(" after '{}'", pending_.back().text);
+  std::string hint =
+      hint_for_operand(alone, !alone && pending_.back().text == "(", !alone && is_prefix(pending_.back().op));
   if (token.kind == Token::Kind::Operator && binding(token.op) == BindUntil)
     hint = fmt::format("a name that is spelled like an operator is quoted: \"{}\"", token.text);
   if (token.kind == Token::Kind::Operator && token.op == Op::Sub) hint = "write 0 - x for the negative of x";
+  std::string found = fmt::format("found '{}'", token.text);
+  if (token.kind == Token::Kind::End) found = alone ? "found nothing" : "but the text ends";
   throw util::InputError(source_, token.offset, "syntax",
-                         fmt::format("expected a formula{}, found '{}'", after, token.text), hint);
+                         fmt::format("expected a formula{}, {}", after, found), hint);
 }
 
 std::string hint_for_words(std::string_view left, const Token& found) {
@@ -273,7 +279,7 @@ void Parser::fail_operator(const Token& token) const {
 void Parser::fail_nesting(std::size_t offset) const {
   throw util::InputError(source_, offset, "nesting",
                          fmt::format("the formula is nested deeper than {}", limits_.nesting),
-                         "split it, or raise the limit on nesting");
+                         "write it as several formulas: a conjunction is a list of them");
 }
 
 }  // namespace

@@ -63,7 +63,8 @@ std::vector<Annotation> ManchesterFrames::annotations(unsigned depth) {
   while (lexer_.next_word() == "Annotations:") {
     if (depth > most_annotation_depth)
       lexer_.fail(lexer_.offset(), "nesting",
-                  fmt::format("annotations of annotations nest more than {} deep", most_annotation_depth));
+                  fmt::format("annotations of annotations nest more than {} deep", most_annotation_depth),
+                  "annotate the axiom itself");
     lexer_.word();
     do out.push_back(annotation(depth));
     while (lexer_.take(','));

@@ -177,7 +177,7 @@ std::vector<Annotation> Mapper::annotations_of(Term node, unsigned depth) {
     const Triple t = triple(at);
     if (used_[at] || is_structural(t.predicate) || t.predicate == v::rdf_type) continue;
     if (depth > 32) {
-      report(at, "nesting", "annotations of annotations nest more than 32 deep");
+      report(at, "nesting", "annotations of annotations nest more than 32 deep", "annotate the axiom itself");
       continue;
     }
     used_[at] = true;

@@ -107,7 +107,8 @@ std::optional<DataRange> Mapper::range_of(Term node, std::uint32_t at, unsigned 
   std::optional<DataRange> out;
   take_type(node);
   if (depth > 200) {
-    report(at, "nesting", "data ranges nest more than 200 deep");
+    report(at, "nesting", "data ranges nest more than 200 deep",
+           "give the inner range a name by a datatype definition");
     return std::nullopt;
   }
   if (find(node, v::owl_on_datatype) != none) {
@@ -193,7 +194,8 @@ void Mapper::visit(Term node, std::uint32_t at, std::vector<Term>& pending) {
   std::optional<ClassExpression> built;
   if (!bad) built = build_class(node, at);
   if (built && limits_.nesting != 0 && built->depth() > limits_.nesting) {
-    report(at, "nesting", fmt::format("class expressions nest more than {} deep", limits_.nesting));
+    report(at, "nesting", fmt::format("class expressions nest more than {} deep", limits_.nesting),
+           "give the inner expression a name of its own");
     built.reset();
   }
   state = built ? State::Done : State::Bad;

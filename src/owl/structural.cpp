@@ -53,7 +53,8 @@ const std::map<std::string_view, Word>& words() {
 void StructuralBuilder::open(std::string_view word, std::size_t offset) {
   const std::size_t nesting = names_.limits().nesting;
   if (nesting != 0 && frames_.size() + ignored_ >= nesting)
-    names_.fail(offset, "nesting", fmt::format("expressions nest more than {} deep", nesting));
+    names_.fail(offset, "nesting", fmt::format("expressions nest more than {} deep", nesting),
+                "give the inner expression a name of its own");
   if (ignored_ > 0) {
     ++ignored_;
     return;
@@ -152,10 +153,11 @@ StructuralBuilder::Argument StructuralBuilder::built(const Frame& frame) {
   if (!range && frame.group != Group::Annotation) return out;
   out.depth = in.depth() + 1;
   if (out.depth > (range ? most_range_depth : most_annotation_depth))
-    names_.fail(
-        frame.offset, "nesting",
-        range ? fmt::format("data ranges nest more than {} deep", most_range_depth)
-              : fmt::format("annotations of annotations nest more than {} deep", most_annotation_depth));
+    names_.fail(frame.offset, "nesting",
+                range
+                    ? fmt::format("data ranges nest more than {} deep", most_range_depth)
+                    : fmt::format("annotations of annotations nest more than {} deep", most_annotation_depth),
+                range ? "give the inner range a name by DatatypeDefinition" : "annotate the axiom itself");
   return out;
 }
 

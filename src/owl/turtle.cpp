@@ -102,7 +102,8 @@ void Turtle::statement() {
 void Turtle::push(Frame frame) {
   if (context_.limits.nesting != 0 && stack_.size() >= context_.limits.nesting)
     lexer_.fail(frame.opened, "nesting",
-                fmt::format("brackets nest more than {} deep", context_.limits.nesting));
+                fmt::format("brackets nest more than {} deep", context_.limits.nesting),
+                "give the inner expression a name of its own");
   stack_.push_back(frame);
 }
 

@@ -110,7 +110,8 @@ void InfixReader::operand(const Token& token) {
     case Sign::Not:
     case Sign::Open:
       if (limits_.nesting != 0 && ++depth_ > limits_.nesting)
-        fail(token.begin, "too-deep", fmt::format("the formula is nested deeper than {}", limits_.nesting));
+        fail(token.begin, "too-deep", fmt::format("the formula is nested deeper than {}", limits_.nesting),
+             "write a conjunction as a line for each part, or define an inner part by a variable");
       operators_.push_back(token);
       return;
     default:

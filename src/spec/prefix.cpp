@@ -79,7 +79,8 @@ void PrefixReader::open(Op op, std::size_t operands, std::size_t begin) {
     return;
   }
   if (limits_.nesting != 0 && frames_.size() >= limits_.nesting)
-    fail(begin, "too-deep", fmt::format("operators are nested deeper than {}", limits_.nesting));
+    fail(begin, "too-deep", fmt::format("operators are nested deeper than {}", limits_.nesting),
+         "share inner parts by a buffer: $ 2 PART ? 0");
   frames_.push_back({op, operands, begin, values_.size()});
 }
 
