@@ -197,18 +197,26 @@ std::optional<Axioms> Builder::concepts_apart(owl::Iri a, owl::Iri b) {
   return std::nullopt;
 }
 
-/// Two values of one functional role exclude each other when they are declared disjoint or different.
+/// Two values of one functional role, or of two roles below one, exclude each other when they are declared
+/// disjoint or different.
 void Builder::find_exclusive() {
   const auto& features = catalogue_.features;
+  std::map<std::pair<owl::Iri, owl::Iri>, std::optional<Axioms>> memo;
+  const auto functional = [&](owl::Iri a, owl::Iri b) -> const std::optional<Axioms>& {
+    const auto [place, fresh] = memo.emplace(std::pair(a, b), std::nullopt);
+    if (fresh) place->second = told_.functional_because(a, b);
+    return place->second;
+  };
   for (std::size_t i = 0; i < features.size(); ++i)
     for (std::size_t j = i + 1; j < features.size(); ++j) {
       const Feature& a = features[i];
       const Feature& b = features[j];
-      if (a.kind == Feature::Kind::Class || b.kind == Feature::Kind::Class || a.role != b.role) continue;
-      if (a.functional.empty()) continue;
+      if (a.kind == Feature::Kind::Class || b.kind == Feature::Kind::Class) continue;
+      const std::optional<Axioms>& one = functional(a.role, b.role);
+      if (!one) continue;
       budget_.check();
       if (const auto why = concepts_apart(a.filler, b.filler))
-        catalogue_.exclusive[{i, j}] = join(a.functional, *why);
+        catalogue_.exclusive[{i, j}] = join(*one, *why);
     }
 }
 

@@ -76,6 +76,18 @@ std::optional<Axioms> Told::functional_because(owl::Iri role) const {
   return std::nullopt;
 }
 
+std::optional<Axioms> Told::functional_because(owl::Iri a, owl::Iri b) const {
+  if (a == b) return functional_because(a);
+  const auto above_b = roles.above(b);
+  for (const auto& [super, why] : roles.above(a)) {
+    const auto common = above_b.find(super);
+    const auto found = functional.find(super);
+    if (common != above_b.end() && found != functional.end())
+      return join(join(why, common->second), {found->second});
+  }
+  return std::nullopt;
+}
+
 void Told::add_disjoint(owl::Iri a, owl::Iri b, owl::AxiomId axiom) {
   disjoint.emplace(std::pair(a, b), axiom);
   disjoint.emplace(std::pair(b, a), axiom);

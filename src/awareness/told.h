@@ -59,6 +59,8 @@ struct Told {
 
   /// Why \p role has at most one value: the axioms, or nothing.
   [[nodiscard]] std::optional<Axioms> functional_because(owl::Iri role) const;
+  /// Why what a thing has by either of two roles is one and the same; nothing says so of most.
+  [[nodiscard]] std::optional<Axioms> functional_because(owl::Iri a, owl::Iri b) const;
 
  private:
   void read_axiom(const owl::Axiom& axiom, std::optional<owl::Iri> subclass_role);
