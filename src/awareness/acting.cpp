@@ -1,3 +1,5 @@
+#include <heed/awareness/explain.h>
+
 #include "policy_compiler.h"
 #include "told.h"
 
@@ -68,6 +70,13 @@ void PolicyCompiler::note_acting_words() {
   for (const Name& name : options_.fallback)
     labels.push_back("'" + catalogue_.behaviours[catalogue_.behaviour(name)].label + "'");
   result_.words += fmt::format("; {} when nothing in the catalogue fits", fmt::join(labels, " and "));
+}
+
+/// Only where candidates fall away does it matter what a symbol rules out.
+void PolicyCompiler::note_wide_symbols() {
+  for (Warning& wide : judge_perception(catalogue_, perception_))
+    result_.notes.push_back({util::Severity::Warning, wide.location, wide.code, std::move(wide.message),
+                             std::move(wide.hint), because_text(catalogue_, wide.axioms)});
 }
 
 }  // namespace heed::awareness

@@ -49,6 +49,14 @@ void Builder::relate_behaviours() {
 }
 
 void Builder::assign_behaviours() {
+  catalogue_.action_roles = action_roles_;
+  if (action_roles_.empty()) {
+    std::set<owl::Iri> roles;
+    for (const auto& [holder, bindings] : told_.bindings)
+      for (const Binding& binding : bindings)
+        if (behaviours_.contains(binding.filler)) roles.insert(binding.role);
+    catalogue_.action_roles.assign(roles.begin(), roles.end());
+  }
   for (std::size_t e = 0; e < catalogue_.entities.size(); ++e) {
     std::map<std::size_t, Axioms> found;
     const auto keep_shorter = [&](std::size_t b, const Axioms& why) {
@@ -69,10 +77,7 @@ void Builder::assign_behaviours() {
 
 /// Roles of actions by which more may be bound than single axioms tell.
 std::vector<owl::Iri> Builder::derived_action_roles() const {
-  std::set<owl::Iri> roles(action_roles_.begin(), action_roles_.end());
-  for (const auto& [holder, bindings] : told_.bindings)
-    for (const Binding& binding : bindings)
-      if (action_roles_.empty() && behaviours_.contains(binding.filler)) roles.insert(binding.role);
+  std::set<owl::Iri> roles(catalogue_.action_roles.begin(), catalogue_.action_roles.end());
   std::erase_if(roles, [&](owl::Iri role) { return !told_.derived.contains(role); });
   return {roles.begin(), roles.end()};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "atoms.h"
+#include "concepts.h"
 #include "horn.h"
 #include "told.h"
 
@@ -80,7 +81,6 @@ class Builder {
   [[nodiscard]] bool description_suffices(std::size_t entity) const;
   [[nodiscard]] bool refused(std::size_t entity);
   void judge_groups();
-  [[nodiscard]] owl::ClassExpression concept_of(const Feature& feature) const;
 
   // implications.cpp
   void add_implications();
@@ -102,7 +102,9 @@ class Builder {
   void warn_indistinguishable();
   void warn_unused();
   void warn_excludes_nothing();
+  [[nodiscard]] Axioms half_exclusive(const std::set<std::size_t>& members);
   void warn_conflicts();
+  void warn_no_prescription(std::size_t entity);
   void warn_never_recognised();
   void warn(std::string code, std::string message, Axioms axioms, std::vector<std::size_t> entities);
   [[nodiscard]] std::string label(std::size_t entity) const { return catalogue_.entities[entity].label; }

@@ -145,4 +145,20 @@ bool evaluate(const logic::Formula& formula, const std::function<bool(const std:
   return values.at(formula.identity());
 }
 
+std::map<std::string, bool> derived_values(const Recognition& recognition,
+                                           const std::set<std::string>& seen) {
+  std::map<std::string, bool> value;
+  const auto settle = [&](const auto& definitions) {
+    for (const auto& definition : definitions)
+      value[definition.name] = evaluate(definition.formula, [&](const std::string& atom) {
+        const auto known = value.find(atom);
+        return known != value.end() ? known->second : seen.contains(atom);
+      });
+  };
+  settle(recognition.situations);
+  settle(recognition.entities);
+  settle(recognition.behaviours);
+  return value;
+}
+
 }  // namespace heed::awareness

@@ -3,6 +3,7 @@
 #include <heed/awareness/policy.h>
 
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,5 +34,9 @@ struct Reason {
 /// Truth of a formula without temporal operators or comparisons; \p holds gives names.
 [[nodiscard]] bool evaluate(const logic::Formula& formula,
                             const std::function<bool(const std::string&)>& holds);
+
+/// Truth of each derived symbol of \p recognition when exactly \p seen (symbols and levels) is true.
+[[nodiscard]] std::map<std::string, bool> derived_values(const Recognition& recognition,
+                                                         const std::set<std::string>& seen);
 
 }  // namespace heed::awareness

@@ -1,6 +1,7 @@
 #include <heed/awareness/explain.h>
 #include <heed/logic/parse.h>
 
+#include "concepts.h"
 #include "evidence.h"
 #include "told.h"
 
@@ -28,21 +29,10 @@ std::vector<std::string> shrink(std::set<std::string> seen,
   return {seen.begin(), seen.end()};
 }
 
-/// Truth of the derived symbol \p name when exactly \p seen is true.
 bool derived(const Recognition& recognition, const std::string& name, const std::set<std::string>& seen) {
-  std::map<std::string, bool> value;
-  const auto settle = [&](const auto& definitions) {
-    for (const auto& definition : definitions)
-      value[definition.name] = evaluate(definition.formula, [&](const std::string& atom) {
-        const auto known = value.find(atom);
-        return known != value.end() ? known->second : seen.contains(atom);
-      });
-  };
-  settle(recognition.situations);
-  settle(recognition.entities);
-  settle(recognition.behaviours);
-  const auto found = value.find(name);
-  return found != value.end() && found->second;
+  const auto values = derived_values(recognition, seen);
+  const auto found = values.find(name);
+  return found != values.end() && found->second;
 }
 
 /// Axioms behind a minimal set: from the list of evidence, or, where that was cut short, all axioms of the
@@ -82,25 +72,31 @@ Explanation explain_formula(const Catalogue& catalogue, const SigmaFormula& form
   return {fmt::format("{} ({})", logic::to_string(formula.formula, logic::Notation::Textbook),
                       to_string(formula.kind)),
           true,
-          {{formula.sentence, axiom_texts(catalogue, formula.axioms)}}};
+          {{formula.sentence, axiom_texts(catalogue, formula.axioms), formula.entailed}}};
 }
 
 Explanation explain_entity(const Catalogue& catalogue, std::size_t entity) {
   const Entity& it = catalogue.entities[entity];
   Explanation result{fmt::format("'{}' ({})", it.label, it.atom), true, {}};
+  if (!it.satisfiable)
+    result.steps.push_back({"Nothing can be one: what is said of it contradicts itself.",
+                            axiom_texts(catalogue, it.impossible), inclusions_impossible(catalogue, entity)});
   for (const Entailed& up : it.parents)
     result.steps.push_back({fmt::format("It is a '{}'.", catalogue.entities[up.index].label),
-                            axiom_texts(catalogue, up.axioms)});
+                            axiom_texts(catalogue, up.axioms),
+                            inclusions_below(catalogue, entity, up.index)});
   for (const Entailed& has : catalogue.described(entity)) {
     const Feature& feature = catalogue.features[has.index];
     if (feature.entity == entity) continue;
     const std::string how = feature.kind == Feature::Kind::Class ? "" : feature.role_atom + " ";
-    result.steps.push_back(
-        {fmt::format("It has the feature {}'{}'.", how, feature.label), axiom_texts(catalogue, has.axioms)});
+    result.steps.push_back({fmt::format("It has the feature {}'{}'.", how, feature.label),
+                            axiom_texts(catalogue, has.axioms),
+                            inclusions_has(catalogue, entity, has.index)});
   }
   for (const Entailed& act : it.behaviours)
     result.steps.push_back({fmt::format("It prescribes to '{}'.", catalogue.behaviours[act.index].label),
-                            axiom_texts(catalogue, act.axioms)});
+                            axiom_texts(catalogue, act.axioms),
+                            inclusions_prescribes(catalogue, entity, act.index)});
   return result;
 }
 
@@ -109,18 +105,32 @@ Explanation explain_behaviour(const Catalogue& catalogue, std::size_t behaviour)
   Explanation result{fmt::format("'{}' ({})", it.label, it.atom), true, {}};
   for (const Entailed& up : it.parents)
     result.steps.push_back({fmt::format("It is a special way to '{}'.", catalogue.behaviours[up.index].label),
-                            axiom_texts(catalogue, up.axioms)});
+                            axiom_texts(catalogue, up.axioms),
+                            inclusions_special(catalogue, behaviour, up.index)});
   for (std::size_t e = 0; e < catalogue.entities.size(); ++e)
     if (const Entailed* act = catalogue.prescribes(e, behaviour); act != nullptr)
       result.steps.push_back({fmt::format("'{}' prescribes it.", catalogue.entities[e].label),
-                              axiom_texts(catalogue, act->axioms)});
+                              axiom_texts(catalogue, act->axioms),
+                              inclusions_prescribes(catalogue, e, behaviour)});
   return result;
 }
 
 Explanation explain_warning(const Catalogue& catalogue, const Warning& warning) {
-  return {warning.message,
-          true,
-          {{fmt::format("Warning [{}], because of", warning.code), axiom_texts(catalogue, warning.axioms)}}};
+  const std::string why = warning.axioms.empty() ? "" : ", because of";
+  Explanation result{
+      warning.message,
+      true,
+      {{fmt::format("Warning [{}]{}", warning.code, why), axiom_texts(catalogue, warning.axioms)}}};
+  if (warning.code == "unsatisfiable-entity")
+    result.steps[0].entailed = inclusions_impossible(catalogue, warning.entities[0]);
+  if (warning.code == "unasserted-subsumption" || warning.code == "unasserted-equivalence")
+    result.steps[0].entailed = inclusions_below(catalogue, warning.entities[0], warning.entities[1]);
+  if (warning.code == "unasserted-equivalence")
+    if (const Entailed* back = catalogue.is_below(warning.entities[1], warning.entities[0]); back != nullptr)
+      result.steps.push_back({"The other way round, because of", axiom_texts(catalogue, back->axioms),
+                              inclusions_below(catalogue, warning.entities[1], warning.entities[0])});
+  if (!warning.hint.empty()) result.steps.push_back({"Hint: " + warning.hint + ".", {}});
+  return result;
 }
 
 Explanation explain_recognition(const Catalogue& catalogue, const Recognition& recognition,
@@ -188,19 +198,44 @@ Explanation explain_reaction(const Catalogue& catalogue, const Recognition& reco
     result.steps.insert(result.steps.end(), why.steps.begin(), why.steps.end());
     result.steps.push_back(
         {fmt::format("A '{}' prescribes to '{}'.", catalogue.entities[entity].label, label),
-         axiom_texts(catalogue, catalogue.prescribes(entity, behaviour)->axioms)});
+         axiom_texts(catalogue, catalogue.prescribes(entity, behaviour)->axioms),
+         inclusions_prescribes(catalogue, entity, behaviour)});
   }
   if (derived(recognition, rule->name, seen) == result.holds) return result;
   return explain_candidates(catalogue, recognition, *rule, seen);
+}
+
+namespace {
+
+std::string lines_of(const std::vector<AxiomText>& axioms, std::size_t indent) {
+  std::string text;
+  for (const AxiomText& axiom : axioms)
+    text += fmt::format("{:{}}{}  {}  ({})\n", "", indent, owl::to_string(axiom.id), axiom.text,
+                        util::to_string(axiom.location));
+  return text;
+}
+
+}  // namespace
+
+std::string because_text(const Catalogue& catalogue, const std::vector<owl::AxiomId>& axioms) {
+  if (axioms.empty()) return "";
+  std::string text = "because\n" + lines_of(axiom_texts(catalogue, axioms), 2);
+  text.pop_back();
+  return text;
 }
 
 std::string to_text(const Explanation& explanation) {
   std::string text = explanation.subject + "\n";
   for (const ExplanationStep& step : explanation.steps) {
     text += fmt::format("  {}\n", step.sentence);
-    for (const AxiomText& axiom : step.axioms)
-      text += fmt::format("    {}  {}  ({})\n", owl::to_string(axiom.id), axiom.text,
-                          util::to_string(axiom.location));
+    if (step.all.empty()) text += lines_of(step.axioms, 4);
+    for (std::size_t i = 0; i < step.all.size(); ++i) {
+      const std::string& cause = step.all[i].derived_from;
+      text += fmt::format("    justification {} of {}{}{}\n", i + 1, step.all_listed ? "" : "at least ",
+                          step.all.size(), cause.empty() ? "" : ", derived: " + cause);
+      text += lines_of(step.all[i].axioms, 6);
+    }
+    if (!step.all_listed) text += "    ... there are more\n";
   }
   return text;
 }

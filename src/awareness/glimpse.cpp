@@ -2,6 +2,7 @@
 
 #include <heed/awareness/observation.h>
 
+#include "evidence.h"
 #include "horn.h"
 #include "units.h"
 
@@ -67,6 +68,15 @@ std::vector<Approach> approaches(const Catalogue& catalogue, const Perception& p
       }
     result.push_back(std::move(approach));
   }
+  return result;
+}
+
+std::vector<std::size_t> prescribed_under(const Recognition& recognition, const std::set<std::string>& seen) {
+  const auto values = derived_values(recognition, seen);
+  std::vector<std::size_t> result;
+  for (const PrescribedBehaviour& prescribed : recognition.behaviours)
+    if (values.at(prescribed.name)) result.push_back(prescribed.behaviour);
+  std::sort(result.begin(), result.end());
   return result;
 }
 

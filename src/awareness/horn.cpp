@@ -110,7 +110,41 @@ std::optional<std::vector<owl::AxiomId>> HornBase::why(const std::vector<Prop>& 
     axioms = join(axioms, *rules_[by[p]].axioms);
     open.insert(open.end(), rules_[by[p]].body.begin(), rules_[by[p]].body.end());
   }
+  leave_out(axioms, facts, goal);
   return axioms;
+}
+
+/// The first derivation found may be a detour: takes out every axiom without which the others still derive \p
+/// goal. Only rules that rest on \p axioms are looked at, and they are few.
+void HornBase::leave_out(std::vector<owl::AxiomId>& axioms, const std::vector<Prop>& facts, Prop goal) const {
+  if (axioms.size() < 2) return;
+  const auto rests_on = [](const Rule& rule, const std::vector<owl::AxiomId>& some) {
+    return std::includes(some.begin(), some.end(), rule.axioms->begin(), rule.axioms->end());
+  };
+  std::vector<const Rule*> usable;
+  for (const Rule& rule : rules_)
+    if (rests_on(rule, axioms)) usable.push_back(&rule);
+  const auto derives = [&](const std::vector<owl::AxiomId>& some) {
+    std::vector<char> holds(size(), 0);
+    for (const Prop p : facts) holds[p] = 1;
+    for (bool more = true; more && holds[goal] == 0;) {
+      more = false;
+      for (const Rule* rule : usable) {
+        if (holds[rule->head] != 0 || !rests_on(*rule, some)) continue;
+        if (!std::all_of(rule->body.begin(), rule->body.end(), [&](Prop p) { return holds[p] != 0; }))
+          continue;
+        holds[rule->head] = 1;
+        more = true;
+      }
+    }
+    return holds[goal] != 0;
+  };
+  const auto all = axioms;
+  for (const owl::AxiomId axiom : all) {
+    auto fewer = axioms;
+    std::erase(fewer, axiom);
+    if (derives(fewer)) axioms = std::move(fewer);
+  }
 }
 
 }  // namespace heed::awareness

@@ -37,7 +37,8 @@ class HornBase {
 
   /// One flag per proposition: what follows from \p facts. Linear in the rules. \cite dowling.84.jlp
   [[nodiscard]] std::vector<char> closure(const std::vector<Prop>& facts) const;
-  /// Axioms of one derivation of \p goal from \p facts; nothing when there is none.
+  /// Axioms of one derivation of \p goal from \p facts, of which none can be left out; nothing when there is
+  /// none.
   [[nodiscard]] std::optional<std::vector<owl::AxiomId>> why(const std::vector<Prop>& facts, Prop goal) const;
 
  private:
@@ -46,6 +47,7 @@ class HornBase {
   void add_features(const Catalogue& catalogue);
   void add_implications(const Catalogue& catalogue);
   /// Marks what follows; \p by gets, per derived proposition, the rule that derived it.
+  void leave_out(std::vector<owl::AxiomId>& axioms, const std::vector<Prop>& facts, Prop goal) const;
   [[nodiscard]] std::vector<char> chain(const std::vector<Prop>& facts, std::vector<std::uint32_t>* by) const;
 
   std::size_t features_, entities_, behaviours_;

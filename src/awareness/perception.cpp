@@ -226,6 +226,7 @@ Perception resolve_perception(const Catalogue& catalogue, const PerceptionOption
   perception.perceivable.assign(catalogue.features.size(), false);
   perception.feature_atom.resize(catalogue.features.size());
   perception.excluded_atom.resize(catalogue.features.size());
+  perception.feature_location.resize(catalogue.features.size());
   perception.whole_atom.resize(catalogue.entities.size());
   const auto roles =
       options.enumerate ? enumerated_roles(catalogue, symbols, perception.notes) : std::set<std::uint32_t>{};
@@ -235,6 +236,7 @@ Perception resolve_perception(const Catalogue& catalogue, const PerceptionOption
     if (symbol.feature) {
       perception.perceivable[*symbol.feature] = true;
       perception.feature_atom[*symbol.feature] = symbol.atom;
+      perception.feature_location[*symbol.feature] = symbol.location;
     }
     const bool enumerated = symbol.feature &&
                             catalogue.features[*symbol.feature].kind != Feature::Kind::Class &&

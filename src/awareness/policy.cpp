@@ -120,6 +120,7 @@ Recognition PolicyCompiler::compile() {
     possible_.emplace(catalogue_, perception_, options_.closed, options_.direct.value_or(true));
     result_.situations = possible_->situations();
     note_acting_words();
+    note_wide_symbols();
   }
   std::map<std::size_t, Rule> own;
   for (const std::size_t e : targets()) own[e] = rule_for(e);

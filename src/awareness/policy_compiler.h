@@ -2,6 +2,7 @@
 
 #include "atoms.h"
 #include "evidence.h"
+#include "horn.h"
 #include "possible.h"
 
 #include <heed/awareness/policy.h>
@@ -29,6 +30,7 @@ class PolicyCompiler {
   [[nodiscard]] Rule rule_for(std::size_t entity);
   [[nodiscard]] Rule whole_rule(std::size_t entity) const;
   [[nodiscard]] Rule definition_rule(std::size_t entity);
+  [[nodiscard]] Rule defined_rule(std::size_t entity, Rule rule);
   [[nodiscard]] Rule at_least_rule(std::size_t entity);
   [[nodiscard]] Reason reason(const Entailed& has) const;
   void note_words();
@@ -61,6 +63,7 @@ class PolicyCompiler {
   void act();
   [[nodiscard]] logic::Formula acting_formula(std::size_t behaviour, const logic::Formula& cautious) const;
   void note_acting_words();
+  void note_wide_symbols();
   void note(std::string code, std::string message, std::string hint = {});
 
   const Catalogue& catalogue_;
@@ -70,6 +73,7 @@ class PolicyCompiler {
   std::map<std::vector<std::string>, std::string> memory_names_;  ///< Of the tree, by path.
   AtomTable memory_atoms_;
   std::optional<Possibilities> possible_;
+  std::optional<HornBase> horn_{};         ///< Where a policy asks why a description suffices.
   std::size_t evidence_work_ = 2'000'000;  ///< Steps that may be spent on listing evidence.
   Recognition result_;
 };

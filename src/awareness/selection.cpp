@@ -28,6 +28,16 @@ std::optional<std::size_t> find_reported(const Perception& perception, const std
   return static_cast<std::size_t>(place - atoms.begin());
 }
 
+/// "sign, red, octagon", cut short where there are many.
+std::string reported_symbols(const Perception& perception) {
+  constexpr std::size_t most = 12;
+  std::string out;
+  const std::size_t all = perception.symbols.size();
+  for (std::size_t i = 0; i < std::min(all, most); ++i)
+    out += (i == 0 ? "" : ", ") + perception.symbols[i].first;
+  return all > most ? fmt::format("{} and {} more", out, all - most) : out;
+}
+
 }  // namespace
 
 std::vector<PolicyCompiler::Item> PolicyCompiler::resolve_items(const std::vector<Name>& names) const {
@@ -41,9 +51,9 @@ std::vector<PolicyCompiler::Item> PolicyCompiler::resolve_items(const std::vecto
     const auto reported = find_reported(perception_, name.text);
     const std::size_t feature = reported ? *reported : catalogue_.feature(name);
     if (!perception_.perceivable[feature])
-      throw util::InputError(name.location, "not-perceived",
-                             fmt::format("perception does not report '{}'", name.text),
-                             "add it to the symbols that perception reports");
+      throw util::InputError(
+          name.location, "not-perceived", fmt::format("perception does not report '{}'", name.text),
+          fmt::format("add it to [perception] inputs; what is reported: {}", reported_symbols(perception_)));
     if (!seen.insert(feature).second)
       throw util::InputError(name.location, "duplicate-feature",
                              fmt::format("'{}' is named twice", name.text));

@@ -1,5 +1,6 @@
 #include <heed/awareness/sigma.h>
 
+#include "concepts.h"
 #include "told.h"
 
 #include <fmt/format.h>
@@ -26,8 +27,10 @@ class SigmaBuilder {
   std::vector<SigmaFormula> take() { return std::move(formulas_); }
 
  private:
-  void add(SigmaKind kind, const logic::Formula& body, Axioms axioms, std::string sentence,
-           bool inherited = false);
+  SigmaFormula& add(SigmaKind kind, const logic::Formula& body, Axioms axioms, std::string sentence);
+  /// The things that \p atoms are seen of are an \p entity.
+  [[nodiscard]] std::vector<Inclusion> recognition(const std::vector<std::string>& atoms,
+                                                   std::size_t entity) const;
   /// Why the prescription follows from other formulas; empty when it does not.
   [[nodiscard]] std::string inherited_from(std::size_t entity, std::size_t behaviour) const;
   [[nodiscard]] std::string words_for(const std::string& atom) const;
@@ -45,10 +48,26 @@ class SigmaBuilder {
   std::vector<SigmaFormula> formulas_;
 };
 
-void SigmaBuilder::add(SigmaKind kind, const logic::Formula& body, Axioms axioms, std::string sentence,
-                       bool inherited) {
+SigmaFormula& SigmaBuilder::add(SigmaKind kind, const logic::Formula& body, Axioms axioms,
+                                std::string sentence) {
   formulas_.push_back({fmt::format("k{}", formulas_.size() + 1), logic::always(body), kind, std::move(axioms),
-                       std::move(sentence), inherited});
+                       std::move(sentence)});
+  return formulas_.back();
+}
+
+std::vector<Inclusion> SigmaBuilder::recognition(const std::vector<std::string>& atoms,
+                                                 std::size_t entity) const {
+  const auto super = concept_of(catalogue_.entities[entity]);
+  if (!super) return {};
+  std::vector<owl::ClassExpression> parts;
+  for (std::size_t f = 0; f < catalogue_.features.size(); ++f)
+    if (std::binary_search(atoms.begin(), atoms.end(), perception_.feature_atom[f]))
+      parts.push_back(concept_of(catalogue_.features[f]));
+  for (std::size_t e = 0; e < catalogue_.entities.size(); ++e)
+    if (std::binary_search(atoms.begin(), atoms.end(), perception_.whole_atom[e]))
+      if (const auto whole = concept_of(catalogue_.entities[e])) parts.push_back(*whole);
+  if (parts.size() != atoms.size()) return {};  // levels of a tree, things that are missing
+  return {{owl::ClassExpression::intersection(std::move(parts)), *super}};
 }
 
 std::string SigmaBuilder::words_for(const std::string& atom) const {
@@ -68,13 +87,15 @@ void SigmaBuilder::add_subclasses() {
       if (entities_.contains(up.index))
         add(SigmaKind::Subclass, logic::implies(entity_atom(e), entity_atom(up.index)), up.axioms,
             fmt::format("Every '{}' is a '{}'.", catalogue_.entities[e].label,
-                        catalogue_.entities[up.index].label));
+                        catalogue_.entities[up.index].label))
+            .entailed = inclusions_below(catalogue_, e, up.index);
   for (const std::size_t b : behaviours_)
     for (const Entailed& up : catalogue_.behaviours[b].parents)
       if (behaviours_.contains(up.index))
         add(SigmaKind::Subclass, logic::implies(behaviour_atom(b), behaviour_atom(up.index)), up.axioms,
             fmt::format("To '{}' is to '{}' at the same time.", catalogue_.behaviours[b].label,
-                        catalogue_.behaviours[up.index].label));
+                        catalogue_.behaviours[up.index].label))
+            .entailed = inclusions_special(catalogue_, b, up.index);
 }
 
 void SigmaBuilder::add_recognitions() {
@@ -97,7 +118,8 @@ void SigmaBuilder::add_recognitions() {
         }
       add(SigmaKind::Recognition,
           logic::implies(logic::all_of(std::move(atoms)), entity_atom(recognised.entity)), evidence.axioms,
-          fmt::format("It counts as '{}' when {}.", entity.label, fmt::join(words, " and ")));
+          fmt::format("It counts as '{}' when {}.", entity.label, fmt::join(words, " and ")))
+          .entailed = recognition(evidence.atoms, recognised.entity);
     }
   }
 }
@@ -126,8 +148,11 @@ void SigmaBuilder::add_prescriptions(bool inherited) {
       std::string sentence = fmt::format("A '{}' prescribes to '{}' next", catalogue_.entities[e].label,
                                          catalogue_.behaviours[act.index].label);
       if (inherited) sentence += fmt::format(", inherited: {}", from);
-      add(SigmaKind::Prescription, logic::implies(entity_atom(e), logic::next(behaviour_atom(act.index))),
-          act.axioms, sentence + ".", inherited);
+      SigmaFormula& formula =
+          add(SigmaKind::Prescription, logic::implies(entity_atom(e), logic::next(behaviour_atom(act.index))),
+              act.axioms, sentence + ".");
+      formula.inherited = inherited;
+      formula.entailed = inclusions_prescribes(catalogue_, e, act.index);
     }
 }
 
@@ -137,7 +162,10 @@ void SigmaBuilder::add_disjointness() {
     const auto atom = [&](std::size_t f) { return logic::name(perception_.feature_atom[f]); };
     add(SigmaKind::Disjointness, !(atom(pair.first) && atom(pair.second)), why,
         fmt::format("Nothing has both '{}' and '{}'.", catalogue_.features[pair.first].label,
-                    catalogue_.features[pair.second].label));
+                    catalogue_.features[pair.second].label))
+        .entailed = {{owl::ClassExpression::intersection({concept_of(catalogue_.features[pair.first]),
+                                                          concept_of(catalogue_.features[pair.second])}),
+                      owl::ClassExpression::nothing()}};
   }
 }
 

@@ -6,18 +6,6 @@
 
 namespace heed::awareness {
 
-owl::ClassExpression Builder::concept_of(const Feature& feature) const {
-  switch (feature.kind) {
-    case Feature::Kind::Some:
-      return owl::ClassExpression::some({feature.role, false}, owl::ClassExpression::named(feature.filler));
-    case Feature::Kind::Value:
-      return owl::ClassExpression::has_value({feature.role, false}, feature.filler);
-    case Feature::Kind::Class:
-      break;
-  }
-  return owl::ClassExpression::named(feature.filler);
-}
-
 bool Builder::description_suffices(std::size_t entity) const {
   const auto described = catalogue_.described(entity);
   std::vector<owl::ClassExpression> parts;

@@ -81,13 +81,23 @@ Rule PolicyCompiler::whole_rule(std::size_t entity) const {
   return all_rule({{perception_.whole_atom[entity], {}}});
 }
 
+/// The whole description entails the entity: the axioms are those by which it does.
+Rule PolicyCompiler::defined_rule(std::size_t entity, Rule rule) {
+  if (!horn_) horn_.emplace(catalogue_);
+  std::vector<HornBase::Prop> seen;
+  for (const Entailed& has : catalogue_.described(entity)) seen.push_back(horn_->feature(has.index));
+  if (auto why = horn_->why(seen, horn_->entity(entity)); why && !rule.evidence.empty())
+    rule.evidence.front().axioms = *std::move(why);
+  return rule;
+}
+
 Rule PolicyCompiler::definition_rule(std::size_t entity) {
   const Entity& it = catalogue_.entities[entity];
   if (!recognisable(it)) return {};
   std::vector<Reason> parts;
   for (const Entailed& has : catalogue_.described(entity, perception_.perceivable))
     parts.push_back(reason(has));
-  if (fully_perceivable(entity)) return all_rule(parts);
+  if (fully_perceivable(entity)) return defined_rule(entity, all_rule(parts));
   const auto other = impostor(entity);
   if (options_.entities.empty() && (other || parts.empty())) {
     note("not-perceivable",

@@ -126,11 +126,16 @@ void Builder::warn_subsumptions() {
     }
 }
 
+void Builder::warn_no_prescription(std::size_t entity) {
+  warn("no-prescription", fmt::format("'{}' prescribes nothing.", label(entity)), {}, {entity});
+  catalogue_.warnings.back().hint =
+      "where that is not meant, say what it prescribes, or what it is a kind of";
+}
+
 void Builder::warn_conflicts() {
   for (std::size_t e = 0; e < catalogue_.entities.size(); ++e) {
     const Entity& entity = catalogue_.entities[e];
-    if (entity.is_leaf() && entity.behaviours.empty() && entity.satisfiable)
-      warn("no-prescription", fmt::format("'{}' prescribes nothing.", entity.label), {}, {e});
+    if (entity.is_leaf() && entity.behaviours.empty() && entity.satisfiable) warn_no_prescription(e);
     for (const Entailed& a : entity.behaviours)
       for (const Entailed& b : entity.behaviours) {
         if (a.index >= b.index) continue;
@@ -202,6 +207,18 @@ void Builder::warn_indistinguishable() {
   }
 }
 
+/// The half that is there: why the role has one value, or that its values are disjoint.
+Axioms Builder::half_exclusive(const std::set<std::size_t>& members) {
+  const Feature& first = catalogue_.features[*members.begin()];
+  if (!first.functional.empty()) return first.functional;
+  for (const std::size_t f : members)
+    for (const std::size_t g : members)
+      if (f < g)
+        if (auto apart = concepts_apart(catalogue_.features[f].filler, catalogue_.features[g].filler))
+          return *std::move(apart);
+  return {};
+}
+
 void Builder::warn_excludes_nothing() {
   std::map<owl::Iri, std::set<std::size_t>> by_role;
   for (std::size_t e = 0; e < catalogue_.entities.size(); ++e)
@@ -225,7 +242,11 @@ void Builder::warn_excludes_nothing() {
                      functional ? "nothing is declared disjoint with it"
                                 : fmt::format("nothing says that a thing has at most one value of '{}'",
                                               label_of(role))),
-         {}, {});
+         half_exclusive(members), {});
+    catalogue_.warnings.back().hint =
+        functional
+            ? fmt::format("where it is so, declare the values of '{}' disjoint", label_of(role))
+            : fmt::format("where it is so, declare '{}' functional, and its values disjoint", label_of(role));
   }
 }
 
@@ -235,15 +256,21 @@ void Builder::warn_unused() {
     for (const Entailed& has : entity.features)
       for (const auto& [up, why] : above_filler(catalogue_.features[has.index].filler)) used.insert(up);
   std::vector<std::string> unused;
+  Axioms why;
   for (const owl::Iri filler : features_.members) {
     const bool root =
         std::find(features_.roots.begin(), features_.roots.end(), filler) != features_.roots.end();
-    if (!root && !used.contains(filler) && !entities_.contains(filler))
-      unused.push_back(quoted(label_of(filler)));
+    if (root || used.contains(filler) || entities_.contains(filler)) continue;
+    unused.push_back(quoted(label_of(filler)));
+    for (const owl::Iri up : features_.roots)
+      if (const auto above = above_filler(filler).find(up); above != above_filler(filler).end())
+        why = join(why, above->second);
   }
   if (unused.empty()) return;
   warn("unused-feature",
-       fmt::format("No entity is described by {}: reporting it changes nothing.", enumerate(unused)), {}, {});
+       fmt::format("No entity is described by {}: reporting it changes nothing.", enumerate(unused)), why,
+       {});
+  catalogue_.warnings.back().hint = "describe an entity by it, or leave it out of what is perceived";
 }
 
 }  // namespace heed::awareness

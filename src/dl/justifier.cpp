@@ -49,6 +49,15 @@ class Justifier::Impl {
     return minimal(question.axioms(), ask);
   }
 
+  std::optional<std::vector<owl::AxiomId>> justify_within(const std::vector<owl::AxiomId>& axioms,
+                                                          const Ask& ask) {
+    budget_.check();
+    Part part(ontology_, &axioms, budget_, true);
+    Question question(part.base, budget_);
+    if (!ask(question)) return std::nullopt;
+    return minimal(question.axioms(), ask);
+  }
+
   std::vector<owl::AxiomId> minimal(std::vector<owl::AxiomId> kept, const Ask& ask) {
     for (std::size_t chunk = kept.size() > few ? kept.size() / 4 : 1;;
          chunk = std::max<std::size_t>(chunk / 2, 1)) {
@@ -95,14 +104,10 @@ class Justifier::Impl {
 
   std::optional<std::vector<owl::AxiomId>> justify_without(const std::set<owl::AxiomId>& gone,
                                                            const Ask& ask) {
-    budget_.check();
     std::vector<owl::AxiomId> rest;
     for (const owl::Axiom& axiom : ontology_.axioms())
       if (!gone.contains(axiom.id)) rest.push_back(axiom.id);
-    Part part(ontology_, &rest, budget_, true);
-    Question question(part.base, budget_);
-    if (!ask(question)) return std::nullopt;
-    return minimal(question.axioms(), ask);
+    return justify_within(rest, ask);
   }
 
   void prepare(const owl::ClassExpression& about) {
@@ -161,6 +166,12 @@ std::optional<std::vector<owl::AxiomId>> Justifier::type(owl::Iri individual,
 std::optional<std::vector<owl::AxiomId>> Justifier::inconsistent() {
   return impl_->justify(
       [&](Question& question) { return !question.satisfiable(owl::ClassExpression::thing()); });
+}
+
+std::optional<std::vector<owl::AxiomId>> Justifier::subsumption_within(
+    const std::vector<owl::AxiomId>& axioms, const owl::ClassExpression& sub,
+    const owl::ClassExpression& super) {
+  return impl_->justify_within(axioms, [&](Question& question) { return question.subsumption(sub, super); });
 }
 
 Justifications Justifier::all_subsumption(const owl::ClassExpression& sub, const owl::ClassExpression& super,

@@ -116,12 +116,19 @@ struct Implication {
 
 /// Something a safety engineer should know. Codes: unasserted-subsumption, unasserted-equivalence,
 /// unsatisfiable-entity, indistinguishable, unused-feature, excludes-nothing, conflicting-prescriptions,
-/// never-recognised, sufficient-refused, no-prescription.
+/// never-recognised, sufficient-refused, no-prescription; excludes-less of what perception reports.
 struct Warning {
   std::string code;
   std::string message;                 ///< Whole sentences with labels.
   std::vector<owl::AxiomId> axioms{};  ///< Why; may be empty where something is missing.
   std::vector<std::size_t> entities{};
+  std::string hint{};         ///< What to do about it; may be empty.
+  util::Location location{};  ///< In the scenario, where it is about that; else unknown.
+};
+
+/// "Whatever is a `sub` is a `super`", to ask the reasoner.
+struct Inclusion {
+  owl::ClassExpression sub, super;
 };
 
 /// Entities, features and behaviours in normal form (docs/awareness.md). A value. Atoms are distinct over all
@@ -137,6 +144,7 @@ struct Catalogue {
   /// Pairs (smaller, larger) of features that no thing can have together, and why.
   std::map<std::pair<std::size_t, std::size_t>, std::vector<owl::AxiomId>> exclusive;
   std::vector<Implication> implications;  ///< In the order of the ontology, then what the reasoner added.
+  std::vector<owl::Iri> action_roles;     ///< By which entities prescribe behaviours; subproperties count.
 
   /// By atom, local name, label or IRI; a feature also as "hasMainColour Red" or "hasMainColour.Red". \throws
   /// util::InputError "unknown-entity", "unknown-feature", "unknown-behaviour" with the nearest name;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <heed/awareness/sigma.h>
+#include <heed/dl/justifier.h>
 
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,9 +18,21 @@ struct AxiomText {
   util::Location location;
 };
 
+/// One of several justifications: alone it entails the step, without any one axiom no longer.
+struct Justification {
+  std::vector<AxiomText> axioms;
+  /// What nobody wrote either and follows from a part of these axioms: there lies the cause. Empty: here.
+  std::string derived_from{};
+};
+
 struct ExplanationStep {
   std::string sentence;
   std::vector<AxiomText> axioms;
+  /// Any of these asks a reasoner for the step; none where a policy decides it, or nothing does.
+  std::vector<Inclusion> entailed{};
+  std::vector<Justification>
+      all{};               ///< Filled by justify_all(): causes before what is derived, short ones first.
+  bool all_listed = true;  ///< There are no others.
 };
 
 /// Why something is so, step by step.
@@ -54,6 +68,14 @@ struct Explanation {
 /// The same for all that fell away.
 [[nodiscard]] Explanation explain_excluded(const Catalogue& catalogue, const Recognition& recognition,
                                            const std::set<std::string>& seen);
+
+/// Lists up to \p most of all justifications of each step that is entailed; the others keep their one reason.
+/// \pre \p justifier is over the catalogue's ontology. Exponentially many may exist. \throws LimitExceeded
+void justify_all(const Catalogue& catalogue, dl::Justifier& justifier, std::size_t most,
+                 Explanation& explanation);
+
+/// "because" and one line per axiom, for the excerpt of a diagnostic; empty without axioms.
+[[nodiscard]] std::string because_text(const Catalogue& catalogue, const std::vector<owl::AxiomId>& axioms);
 
 /// Indented text, one line per step and axiom: `  a12 Stop sign SubClassOf ... (traffic-signs.owl:2599:5)`.
 [[nodiscard]] std::string to_text(const Explanation& explanation);

@@ -3,6 +3,8 @@
 #include <heed/awareness/policy.h>
 
 #include <cstddef>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace heed::awareness {
@@ -34,5 +36,9 @@ struct Approach {
 /// in PolicyOptions. Quadratic in the entities.
 [[nodiscard]] std::vector<Approach> approaches(const Catalogue& catalogue, const Perception& perception,
                                                const Recognition& recognition, bool closed);
+
+/// What a policy prescribes at a first step at which exactly these symbols are seen: behaviours, ascending.
+[[nodiscard]] std::vector<std::size_t> prescribed_under(const Recognition& recognition,
+                                                        const std::set<std::string>& seen);
 
 }  // namespace heed::awareness

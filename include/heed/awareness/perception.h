@@ -53,6 +53,7 @@ struct Perception {
   std::vector<std::string> excluded_atom;  ///< Per feature; empty when its absence is never reported.
   /// `no_red` is `full_view & !red`: symbols for absence that follow from a full view.
   std::vector<std::pair<std::string, logic::Formula>> absences;
+  std::vector<util::Location> feature_location;  ///< Per feature: where the scenario reports it.
   util::Diagnostics notes;
 
   /// Replaces symbols by what they mean over the inputs.
@@ -72,5 +73,10 @@ struct PerceptionOptions {
 /// \throws util::InputError  an unknown name with the nearest one; two symbols with one name; one thing
 /// reported twice.
 [[nodiscard]] Perception resolve_perception(const Catalogue& catalogue, const PerceptionOptions& options);
+
+/// Symbols that exclude less than they could ("excludes-less"): values reported by a role of which a thing
+/// may have several, though every entity has them by a role of which it has one. Each with the axioms by
+/// which the narrower symbol would rule out an entity.
+[[nodiscard]] std::vector<Warning> judge_perception(const Catalogue& catalogue, const Perception& perception);
 
 }  // namespace heed::awareness

@@ -20,6 +20,9 @@ struct SigmaFormula {
   std::string sentence;  ///< In words, with labels.
   /// Prescriptions: follows from other formulas of σ, which the sentence names; printed apart.
   bool inherited = false;
+  /// Any of these asks a reasoner for it; none where it is the policy's choice. (A policy that recognises
+  /// from less than the definition asks for what is not entailed.)
+  std::vector<Inclusion> entailed{};
 };
 
 struct SigmaOptions {

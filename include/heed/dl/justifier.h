@@ -35,6 +35,10 @@ class Justifier {
   [[nodiscard]] std::optional<std::vector<owl::AxiomId>> type(owl::Iri individual,
                                                               const owl::ClassExpression& of);
   [[nodiscard]] std::optional<std::vector<owl::AxiomId>> inconsistent();
+  /// The same of \p axioms alone: a minimal part of them, or nothing when they do not entail it.
+  [[nodiscard]] std::optional<std::vector<owl::AxiomId>> subsumption_within(
+      const std::vector<owl::AxiomId>& axioms, const owl::ClassExpression& sub,
+      const owl::ClassExpression& super);
 
   /// Up to \p most of all justifications, found by leaving out an axiom of each one found; none when it is
   /// not entailed. Exponentially many may exist. \cite reiter.87.aij
