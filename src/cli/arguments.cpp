@@ -98,6 +98,8 @@ Arguments parse_arguments(const Command& command, const std::vector<std::string>
       const std::string spelled = name == "--output" ? "-o,--output" : name;
       if (option.value.empty())
         app.add_flag(spelled, switches[name]);
+      else if (option.value.starts_with('['))  // "[=N]": left out, it is what the table says
+        app.add_flag(fmt::format("{}{{{}}}", spelled, option.otherwise), values[name]);
       else
         app.add_option(spelled, values[name])->expected(1)->take_all()->allow_extra_args(false);
     }

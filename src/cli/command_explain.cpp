@@ -17,6 +17,18 @@ namespace {
 
 using awareness::Explanation;
 
+Json to_json(const std::vector<awareness::AxiomText>& axioms) {
+  Json out = Json::array();
+  for (const awareness::AxiomText& axiom : axioms) {
+    Json text;
+    text["id"] = owl::to_string(axiom.id);
+    text["text"] = axiom.text;
+    text["location"] = cli::to_json(axiom.location);
+    out.push_back(std::move(text));
+  }
+  return out;
+}
+
 Json to_json(const Explanation& explanation) {
   Json out;
   out["subject"] = explanation.subject;
@@ -25,13 +37,16 @@ Json to_json(const Explanation& explanation) {
   for (const awareness::ExplanationStep& step : explanation.steps) {
     Json one;
     one["sentence"] = step.sentence;
-    one["axioms"] = Json::array();
-    for (const awareness::AxiomText& axiom : step.axioms) {
-      Json text;
-      text["id"] = owl::to_string(axiom.id);
-      text["text"] = axiom.text;
-      text["location"] = cli::to_json(axiom.location);
-      one["axioms"].push_back(std::move(text));
+    one["axioms"] = to_json(step.axioms);
+    if (!step.all.empty()) {
+      one["complete"] = step.all_listed;
+      one["justifications"] = Json::array();
+    }
+    for (const awareness::Justification& justification : step.all) {
+      Json next;
+      next["axioms"] = to_json(justification.axioms);
+      if (!justification.derived_from.empty()) next["derived_from"] = justification.derived_from;
+      one["justifications"].push_back(std::move(next));
     }
     out["steps"].push_back(std::move(one));
   }
@@ -96,6 +111,17 @@ std::optional<Explanation> explain_name(const awareness::Catalogue& catalogue, c
                    util::suggestion(what, known));
 }
 
+/// With --all: every justification of what was explained.
+std::vector<Explanation> justified(const Arguments& arguments, const awareness::Catalogue& catalogue,
+                                   util::Budget& budget, std::vector<Explanation> explanations) {
+  const auto most = arguments.number("--all", 1, 1000);
+  if (!most) return explanations;
+  dl::Justifier justifier(catalogue.ontology, budget);
+  for (Explanation& explanation : explanations)
+    awareness::justify_all(catalogue, justifier, static_cast<std::size_t>(*most), explanation);
+  return explanations;
+}
+
 std::vector<Explanation> explain_warnings(const awareness::Catalogue& catalogue) {
   std::vector<Explanation> all;
   for (const awareness::Warning& warning : catalogue.warnings)
@@ -152,12 +178,13 @@ std::vector<Explanation> explain_in_scenario(const Arguments& arguments, const s
         all.back().subject = part->name.text + ": " + all.back().subject;
       }
   }
-  if (!all.empty()) return all;
-  if (auto named = explain_name(catalogue, what)) return {std::move(*named)};
+  if (!all.empty()) return justified(arguments, catalogue, budget, std::move(all));
+  if (auto named = explain_name(catalogue, what))
+    return justified(arguments, catalogue, budget, {std::move(*named)});
   nothing_called(catalogue, what);
 }
 
-std::vector<Explanation> explain_all(const Arguments& arguments, util::Budget& budget) {
+std::vector<Explanation> explain_asked(const Arguments& arguments, util::Budget& budget) {
   const std::string what = arguments.operands().size() > 1 ? arguments.operands()[1] : "";
   if (!what.empty() && is_scenario(arguments.operands().front()))
     return explain_in_scenario(arguments, what, budget);
@@ -165,18 +192,23 @@ std::vector<Explanation> explain_all(const Arguments& arguments, util::Budget& b
     throw UsageError("--seen needs a scenario and WHAT", "a scenario says what is perceived");
   util::Diagnostics notes;
   const job::KnowledgePart part = knowledge_part(arguments, budget, notes);
-  const job::Knowledge knowledge = job::load_knowledge(part, arguments.limits(), budget);
+  job::Knowledge knowledge = job::load_knowledge(part, arguments.limits(), budget);
+  const awareness::Catalogue& catalogue = knowledge.catalogue;
+  if (is_scenario(arguments.operands().front()))
+    job::judge_perception(load_scenario(arguments).perception, knowledge, notes);
   if (!arguments.json()) print_diagnostics(notes);
-  if (what.empty()) return explain_warnings(knowledge.catalogue);
-  if (auto named = explain_name(knowledge.catalogue, what)) return {std::move(*named)};
-  nothing_called(knowledge.catalogue, what);
+  if (what.empty()) return justified(arguments, catalogue, budget, explain_warnings(catalogue));
+  if (auto named = explain_name(catalogue, what))
+    return justified(arguments, catalogue, budget, {std::move(*named)});
+  nothing_called(catalogue, what);
 }
 
 }  // namespace
 
 int explain_command(const Arguments& arguments) {
   util::Budget budget(arguments.limits());
-  const std::vector<Explanation> all = explain_all(arguments, budget);
+  (void)arguments.number("--all", 1, 1000);  // a wrong number is said before the work
+  const std::vector<Explanation> all = explain_asked(arguments, budget);
   if (arguments.json()) {
     Json out;
     out["explanations"] = Json::array();

@@ -92,6 +92,7 @@ std::string warning_text(const Catalogue& catalogue, const awareness::Warning& w
   for (const auto& axiom : awareness::axiom_texts(catalogue, warning.axioms))
     out += fmt::format("    {} {} ({})\n", owl::to_string(axiom.id), axiom.text,
                        util::to_string(axiom.location));
+  if (!warning.hint.empty()) out += fmt::format("    hint: {}\n", warning.hint);
   return out;
 }
 
@@ -183,6 +184,8 @@ Json document(const job::Knowledge& knowledge) {
     one["code"] = warning.code;
     one["message"] = warning.message;
     one["axioms"] = ids(warning.axioms);
+    if (!warning.hint.empty()) one["hint"] = warning.hint;
+    if (warning.location.line != 0) one["location"] = to_json(warning.location);
     out["warnings"].push_back(std::move(one));
   }
   out["diagnostics"] = to_json(knowledge.diagnostics);
@@ -191,12 +194,12 @@ Json document(const job::Knowledge& knowledge) {
 
 /// With a scenario, what its perception reports, and closed unless its last identifying controller is open.
 EvidenceView evidence_of(const Arguments& arguments, const job::Knowledge& knowledge) {
-  if (!is_scenario(arguments.operands().front())) return evidence_view(knowledge, {}, true);
+  if (!is_scenario(arguments.operands().front())) return evidence_view(knowledge, nullptr, true);
   const job::Scenario scenario = load_scenario(arguments);
   bool closed = true;
   for (const job::ControllerPart& part : scenario.controllers)
     if (part.policy.text == "identifying") closed = part.closed;
-  return evidence_view(knowledge, scenario.perception, closed);
+  return evidence_view(knowledge, &scenario, closed);
 }
 
 }  // namespace
@@ -205,7 +208,9 @@ int kb_command(const Arguments& arguments) {
   util::Budget budget(arguments.limits());
   util::Diagnostics notes;
   const job::KnowledgePart part = knowledge_part(arguments, budget, notes);
-  const job::Knowledge knowledge = job::load_knowledge(part, arguments.limits(), budget);
+  job::Knowledge knowledge = job::load_knowledge(part, arguments.limits(), budget);
+  if (is_scenario(arguments.operands().front()))
+    job::judge_perception(load_scenario(arguments).perception, knowledge, notes);
   const auto second = second_opinion(arguments.text("--reasoner", "own"), knowledge, budget);
   if (arguments.json()) {
     Json out = document(knowledge);

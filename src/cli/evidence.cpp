@@ -1,4 +1,5 @@
 #include "evidence.h"
+#include "evidence_controllers.h"
 
 #include <heed/awareness/glimpse.h>
 #include <heed/job/controller.h>
@@ -108,17 +109,21 @@ Json approach_json(const Approach& approach, const Catalogue& catalogue) {
 
 }  // namespace
 
-EvidenceView evidence_view(const job::Knowledge& knowledge, const job::PerceptionPart& part, bool closed) {
+EvidenceView evidence_view(const job::Knowledge& knowledge, const job::Scenario* scenario, bool closed) {
   const Catalogue& catalogue = knowledge.catalogue;
-  const auto perception = job::perceive(part, catalogue);
+  const auto perception = job::perceive(scenario ? scenario->perception : job::PerceptionPart{}, catalogue);
   awareness::PolicyOptions options;
   options.kind = awareness::PolicyOptions::Kind::Identifying;
   options.closed = closed;
   const auto recognition = awareness::compile_policy(catalogue, perception, options);
+  const ControllerEvidence controllers(catalogue, perception, scenario);
   EvidenceView view{fmt::format("\nEvidence ({})\n", recognition.words), Json::array()};
   for (const Approach& approach : awareness::approaches(catalogue, perception, recognition, closed)) {
     view.text += approach_text(approach, catalogue, perception);
     view.json.push_back(approach_json(approach, catalogue));
+    if (!scenario) continue;
+    view.text += controllers.text(approach);
+    view.json.back()["controllers"] = controllers.json(approach);
   }
   return view;
 }

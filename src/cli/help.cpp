@@ -30,8 +30,9 @@ std::string explained(const Option& option) {
 
 std::string spelled(const Option& option) {
   const std::string shorter = option.name == "--output" ? "-o, " : "";
-  return option.value.empty() ? shorter + std::string(option.name)
-                              : fmt::format("{}{} {}", shorter, option.name, option.value);
+  if (option.value.empty()) return shorter + std::string(option.name);
+  const std::string_view space = option.value.starts_with('[') ? "" : " ";
+  return fmt::format("{}{}{}{}", shorter, option.name, space, option.value);
 }
 
 /// For man(7): a dash that is a dash, and no line that begins with a control character.

@@ -64,7 +64,8 @@ std::vector<Command> scenario_commands() {
        with_knowledge(
            {{"--quiet", "", "", "", "Only the warnings"},
             {"--evidence", "", "", "",
-             "Also what each entity is recognised by and confused with, and what is certain meanwhile"},
+             "Also what each entity is recognised by, what it is confused with until when, what is certain "
+             "meanwhile, and with a scenario what each controller does"},
             {"--reasoner", "WORD", "own", "own|konclude",
              "Also ask Konclude, where it is installed, and say what it adds"}}),
        "heed kb examples/stop-sign/traffic-signs.owl",
@@ -75,7 +76,9 @@ std::vector<Command> scenario_commands() {
         {"WHAT", "Entity, behaviour, feature or formula (k3); default: every warning", false}},
        with_knowledge({controller_option,
                        {"--seen", "SYMBOLS", "", "comma-separated",
-                        "What is perceived: why is WHAT recognised or prescribed then"}}),
+                        "What is perceived: why is WHAT recognised or prescribed then"},
+                       {"--all", "[=N]", "16", "1 ... 1000",
+                        "Every justification of each step instead of one, at most N; causes come first"}}),
        "heed explain examples/stop-sign/stop-sign.toml Halt --controller awareness --seen sign,red",
        explain_command},
       {"spec",

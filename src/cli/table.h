@@ -10,7 +10,7 @@ namespace heed::cli {
 /// One option of a command. Help, man page, completion and parsing all come from this.
 struct Option {
   std::string_view name;       ///< "--output"
-  std::string_view value;      ///< "DIR"; empty for a switch.
+  std::string_view value;      ///< "DIR"; empty for a switch; "[=N]" where it may be left out.
   std::string_view otherwise;  ///< Default, as text; empty: none.
   std::string_view range;      ///< "file|folder", "1 ... 64"; empty: any.
   std::string_view help;       ///< One sentence without full stop.

@@ -200,6 +200,22 @@ awareness::Perception perceive(const PerceptionPart& part, const awareness::Cata
   return awareness::resolve_perception(catalogue, perception_options(part, catalogue));
 }
 
+void judge_perception(const PerceptionPart& perception, Knowledge& knowledge, util::Diagnostics& notes) {
+  try {
+    const auto perceived = perceive(perception, knowledge.catalogue);
+    for (awareness::Warning& warning : awareness::judge_perception(knowledge.catalogue, perceived))
+      knowledge.catalogue.warnings.push_back(std::move(warning));
+  } catch (const util::InputError& error) {
+    notes.push_back(error.diagnostic());
+    notes.back().severity = util::Severity::Warning;
+  }
+}
+
+awareness::Recognition recognise(const ControllerPart& part, const awareness::Catalogue& catalogue,
+                                 const awareness::Perception& perception) {
+  return awareness::compile_policy(catalogue, perception, policy_options(part));
+}
+
 World load_world(const Scenario& scenario, const util::Limits& limits, util::Budget& budget) {
   World world;
   world.knowledge = load_knowledge(scenario.knowledge, limits, budget);
@@ -215,8 +231,7 @@ World load_world(const Scenario& scenario, const util::Limits& limits, util::Bud
 
 Design design(const Scenario& scenario, const World& world, const ControllerPart& part) {
   Design design;
-  design.recognition =
-      awareness::compile_policy(world.knowledge.catalogue, world.perception, policy_options(part));
+  design.recognition = recognise(part, world.knowledge.catalogue, world.perception);
   design.sigma = awareness::build_sigma(world.knowledge.catalogue, world.perception, design.recognition);
   spec::Composition parts;
   parts.name = part.name.text;

@@ -44,7 +44,7 @@ void note_incomplete(const dl::Reasoner& reasoner, util::Diagnostics& diagnostic
 }
 
 util::Diagnostic as_diagnostic(const awareness::Catalogue& catalogue, const awareness::Warning& warning) {
-  util::Diagnostic diagnostic{util::Severity::Warning, {}, warning.code, warning.message, {}, {}};
+  util::Diagnostic diagnostic{util::Severity::Warning, {}, warning.code, warning.message, warning.hint, {}};
   // What is impossible is told at its own place: the axioms behind it may stand anywhere.
   const bool of_thing = warning.code == "unsatisfiable-entity" && !warning.entities.empty();
   if (!warning.axioms.empty() && !of_thing)

@@ -28,6 +28,31 @@ check 'explain says why' says 'prescribes some halt'
 check 'explain an entity of an ontology' exits 0 "$heed" explain "$ontology" StopSign
 check 'explain --json' exits 0 "$heed" explain "$scenario" k1 --json
 check 'explain --json is JSON' is_json
+check 'explain --all' exits 0 "$heed" explain "$ontology" NoEntrySign --all
+check 'lists each justification' says 'justification 4 of 4'
+check 'explain --all=N' exits 0 "$heed" explain "$ontology" --all=2 NoEntrySign
+check 'stops there' test -z "$(grep 'justification [34]' "$work/out")"
+check 'and says so' says '... there are more'
+check 'explain --all has a range' exits 2 "$heed" explain "$ontology" NoEntrySign --all=0
+check 'explain --all --json' exits 0 "$heed" explain "$ontology" NoEntrySign --all --json
+check 'lists them, short ones first' node -e '
+  const steps = JSON.parse(require("fs").readFileSync(process.argv[1])).explanations[0].steps;
+  const sizes = steps.map(s => s.justifications.map(j => j.axioms.length));
+  const sorted = sizes.every(list => list.every((n, i) => i === 0 || list[i - 1] <= n));
+  process.exit(sorted && steps.every(s => s.complete) && sizes.some(list => list.length === 4) ? 0 : 1)' "$work/out"
+check 'explain --all of a reaction' exits 0 "$heed" explain "$scenario" Halt --controller awareness --seen sign,red --all
+check 'justifies what it prescribes' says 'justification 1 of 1'
+check 'kb of a scenario' exits 0 "$heed" kb "$scenario" --quiet
+check 'names the symbol that excludes less than it could' says "'hasShape Octagon' would rule out 52 entities more"
+check 'and says how' says 'hint: report what = "hasShape Octagon"'
+check 'which is done here' exits 0 "$heed" kb examples/stop-sign/policies.toml --evidence
+check 'so nothing is said' test -z "$(grep excludes-less "$work/out")"
+check 'kb --evidence says what controllers do' says "'at-least-2': never recognised; slow down on sign; nothing on red; halt (X stopping), give way on all of it"
+check 'kb --evidence --json' exits 0 "$heed" kb examples/stop-sign/policies.toml --evidence --json
+check 'with each controller' node -e '
+  const stop = JSON.parse(require("fs").readFileSync(process.argv[1])).evidence.find(e => e.atom === "stop_sign");
+  const two = stop.controllers.find(c => c.name === "at-least-2");
+  process.exit(two.evidence.length === 3 && two.reactions.some(r => r.bound.includes("halt")) ? 0 : 1)' "$work/out"
 check 'spec' exits 0 "$heed" spec "$scenario" --controller awareness
 check 'spec shows sigma' says 'G (sign & red -> stop_sign)'
 check 'spec --gr1' exits 0 "$heed" spec "$scenario" --controller tree --gr1

@@ -31,6 +31,11 @@ struct World {
 /// \throws util::InputError  of any of the files; an entity without possible instance.
 [[nodiscard]] World load_world(const Scenario& scenario, const util::Limits& limits, util::Budget& budget);
 
+/// When a controller counts things as recognised, and what it is then to do.
+[[nodiscard]] awareness::Recognition recognise(const ControllerPart& part,
+                                               const awareness::Catalogue& catalogue,
+                                               const awareness::Perception& perception);
+
 /// One controller's specification, before it is played.
 struct Design {
   awareness::Recognition recognition;

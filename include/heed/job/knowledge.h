@@ -25,6 +25,10 @@ struct Knowledge {
 [[nodiscard]] Knowledge load_knowledge(const KnowledgePart& part, const util::Limits& limits,
                                        util::Budget& budget);
 
+/// Adds to the catalogue's warnings what is to be said of how a scenario's perception reports its things. A
+/// perception that cannot be read is said in \p notes instead.
+void judge_perception(const PerceptionPart& perception, Knowledge& knowledge, util::Diagnostics& notes);
+
 /// The part for an ontology that comes without a scenario: roots and roles are read off its structure (a role
 /// named after actions or behaviours binds what is prescribed, every other role that describes the same
 /// classes binds features; where nothing but individuals is described, these are the things). Says in \p
