@@ -4,6 +4,7 @@
 
 #include <heed/job/chain.h>
 #include <heed/job/evaluate.h>
+#include <heed/model/symbolic.h>
 #include <heed/sim/rational.h>
 #include <heed/sim/statistics.h>
 #include <heed/util/diagnostic.h>
@@ -17,6 +18,7 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <variant>
 
 namespace heed::cli {
 namespace {
@@ -54,13 +56,34 @@ std::vector<const job::ProfilePart*> chosen_profiles(const Arguments& arguments,
   return chosen;
 }
 
+void add_figure(const sim::Figure& figure, Json& out) {
+  out["exact"] = figure.exact ? Json(sim::fraction(*figure.exact)) : Json(nullptr);
+  out["value"] = figure.value;
+  if (!figure.exact) out["error"] = figure.error;
+}
+
+/// "0.296875  19/64"; what is rounded, or too long to be read, with its bound.
+std::string figure_text(const sim::Figure& figure) {
+  constexpr std::size_t most = 60;
+  const std::string exact = figure.exact ? sim::fraction(*figure.exact) : std::string();
+  if (!figure.exact) return fmt::format("{:>8.6g}  +- {:<17.1e}", figure.value, figure.error);
+  return fmt::format("{:>8}  {:<20}", sim::decimal(*figure.exact, 6), exact.size() > most ? "" : exact);
+}
+
+Json lumps_json(const sim::Lumps& lumps) {
+  return {{"components", lumps.components},
+          {"groups", lumps.groups},
+          {"largest_group", lumps.largest_group},
+          {"machine_states", lumps.machine_states},
+          {"widest_layer", lumps.widest_layer}};
+}
+
 Json evaluation_json(const job::Evaluation& found) {
   Json out = Json::array();
   for (std::size_t c = 0; c < found.categories.size(); ++c) {
     Json bar;
     bar["label"] = found.categories[c];
-    bar["exact"] = sim::fraction(found.exact.probability[c]);
-    bar["value"] = sim::to_double(found.exact.probability[c]);
+    add_figure(found.figures.probability[c], bar);
     if (found.sampled.traces > 0) {
       const sim::Interval interval =
           sim::wilson(found.sampled.count[c], found.sampled.traces, found.confidence);
@@ -76,9 +99,7 @@ Json evaluation_json(const job::Evaluation& found) {
 std::string evaluation_text(const job::Evaluation& found) {
   std::string out;
   for (std::size_t c = 0; c < found.categories.size(); ++c) {
-    out +=
-        fmt::format("  {:<14} {:>8}  {:<20}", found.categories[c],
-                    sim::decimal(found.exact.probability[c], 6), sim::fraction(found.exact.probability[c]));
+    out += fmt::format("  {:<14} {}", found.categories[c], figure_text(found.figures.probability[c]));
     if (found.sampled.traces > 0) {
       const sim::Interval interval =
           sim::wilson(found.sampled.count[c], found.sampled.traces, found.confidence);
@@ -89,8 +110,8 @@ std::string evaluation_text(const job::Evaluation& found) {
     }
     out += '\n';
   }
-  if (found.exact.undefined != 0)
-    out += fmt::format("  {:<14} {:>8}\n", "no answer", sim::decimal(found.exact.undefined, 6));
+  const sim::Figure& undefined = found.figures.undefined;
+  if (undefined.value > 0) out += fmt::format("  {:<14} {}\n", "no answer", figure_text(undefined));
   return out;
 }
 
@@ -122,7 +143,7 @@ void write_chain(const Arguments& arguments, const Setting& setting, const job::
 /// What splitting finds for the outcome that --rare names.
 struct Rare {
   std::string outcome;
-  std::string exact;
+  sim::Figure exact;
   sim::RareEstimate estimate;
 };
 
@@ -142,7 +163,7 @@ std::optional<Rare> find_rare(const Arguments& arguments, const Setting& setting
   options.particles =
       static_cast<std::uint32_t>(arguments.number("--particles", 1, 100'000'000).value_or(options.particles));
   return Rare{
-      wanted, sim::fraction(found.exact.probability[options.category]),
+      wanted, found.figures.probability[options.category],
       job::estimate_rare(setting.scenario, setting.world, profile, machine, setting.thing, options, budget)};
 }
 
@@ -158,35 +179,80 @@ std::string rare_text(const Rare& rare) {
 
 Json rare_json(const Rare& rare) {
   const sim::RareEstimate& found = rare.estimate;
-  return {{"outcome", rare.outcome},       {"exact", rare.exact},
-          {"estimate", found.probability}, {"standard_error", found.standard_error},
-          {"low", found.interval.low},     {"high", found.interval.high},
-          {"extinct", found.extinct},      {"survival", found.survival}};
+  Json out{{"outcome", rare.outcome}};
+  out["exact"] = rare.exact.exact ? Json(sim::fraction(*rare.exact.exact)) : Json(nullptr);
+  out.update({{"estimate", found.probability},
+              {"standard_error", found.standard_error},
+              {"low", found.interval.low},
+              {"high", found.interval.high},
+              {"extinct", found.extinct},
+              {"survival", found.survival}});
+  return out;
+}
+
+/// A controller from disk: listed state by state, or by functions.
+using AnyController = std::variant<model::Mealy, model::SymbolicController>;
+
+AnyController read_controller(const std::string& path, const util::Limits& limits) {
+  const util::SourceText source = util::read_file(path, limits);
+  if (model::is_symbolic(source)) return model::read_symbolic(source, limits);
+  return model::read_mealy(source, limits);
+}
+
+/// \throws UsageError  an option that needs every state listed
+const model::Mealy* listed(const Arguments& arguments, const AnyController& controller) {
+  const auto* machine = std::get_if<model::Mealy>(&controller);
+  for (const char* option : {"--chain", "--rare", "--width"})
+    if (machine == nullptr && arguments.has(option))
+      throw UsageError(fmt::format("{} needs a controller that is listed state by state", option),
+                       "heed synth --strategy explicit writes one, where it is not too large");
+  return machine;
+}
+
+void print_evaluation(const Setting& setting, const std::string& controller, const job::ProfilePart& profile,
+                      const job::Evaluation& found, const std::string& rare) {
+  print(fmt::format("{} under {} ({})\n{}{}", controller, profile.spec.name, profile.title,
+                    evaluation_text(found), rare));
+  const sim::Lumps& lumps = found.figures.lumps;
+  if (lumps.components > 0)
+    print(fmt::format("  {} independent components in {} groups of exchangeable ones; {}\n", lumps.components,
+                      lumps.groups, found.figures.exact ? "exact" : "rounded, each figure with its bound"));
+  if (found.sampled.traces == 0 && setting.options.traces > 0)
+    print("  not sampled: that takes the whole chain, which is too large\n");
+  if (setting.options.width > 0)
+    print(fmt::format("  {} traces; intervals hold with {}{}\n", found.sampled.traces,
+                      setting.scenario.evaluate->confidence,
+                      found.width_reached ? "" : "; --traces came before --width"));
 }
 
 /// One controller: text to standard output, or JSON to \p documents.
-void simulate_controller(const Arguments& arguments, const Setting& setting, const model::Mealy& machine,
+void simulate_controller(const Arguments& arguments, const Setting& setting, const AnyController& controller,
                          util::Budget& budget, Json& documents) {
+  const model::Mealy* machine = listed(arguments, controller);
+  const std::string name = std::visit([](const auto& any) { return any.name; }, controller);
   for (const job::ProfilePart* profile : chosen_profiles(arguments, setting.scenario)) {
-    write_chain(arguments, setting, *profile, machine, budget);
-    const job::Evaluation found = job::evaluate(setting.scenario, setting.world, *profile, machine,
-                                                setting.thing, setting.options, budget);
-    const std::optional<Rare> rare = find_rare(arguments, setting, *profile, machine, found, budget);
+    if (machine != nullptr) write_chain(arguments, setting, *profile, *machine, budget);
+    const job::Evaluation found = std::visit(
+        [&](const auto& any) {
+          return job::evaluate(setting.scenario, setting.world, *profile, any, setting.thing, setting.options,
+                               budget);
+        },
+        controller);
+    const std::optional<Rare> rare =
+        machine != nullptr ? find_rare(arguments, setting, *profile, *machine, found, budget) : std::nullopt;
     if (!arguments.json()) {
-      print(fmt::format("{} under {} ({})\n{}{}", machine.name, profile->spec.name, profile->title,
-                        evaluation_text(found), rare ? rare_text(*rare) : ""));
-      if (setting.options.width > 0)
-        print(fmt::format("  {} traces; intervals hold with {}{}\n", found.sampled.traces,
-                          setting.scenario.evaluate->confidence,
-                          found.width_reached ? "" : "; --traces came before --width"));
+      print_evaluation(setting, name, *profile, found, rare ? rare_text(*rare) : "");
       continue;
     }
     Json one;
-    one["controller"] = machine.name;
+    one["controller"] = name;
     one["profile"] = profile->spec.name;
     one["traces"] = found.sampled.traces;
     one["outcomes"] = evaluation_json(found);
-    one["no_answer"] = sim::fraction(found.exact.undefined);
+    Json undefined;
+    add_figure(found.figures.undefined, undefined);
+    one["no_answer"] = undefined["exact"].is_null() ? undefined["value"] : undefined["exact"];
+    if (found.figures.lumps.components > 0) one["lumps"] = lumps_json(found.figures.lumps);
     if (setting.options.width > 0) one["width_reached"] = found.width_reached;
     if (rare) one["rare"] = rare_json(*rare);
     documents.push_back(std::move(one));
@@ -227,8 +293,8 @@ int simulate_command(const Arguments& arguments) {
   setting.options.threads = static_cast<unsigned>(arguments.number("--threads", 1, 256).value_or(1));
   Json documents = Json::array();
   for (std::size_t i = 1; i < arguments.operands().size(); ++i) {
-    const model::Mealy machine = model::read_mealy(util::read_file(arguments.operands()[i], limits), limits);
-    simulate_controller(arguments, setting, machine, budget, documents);
+    const AnyController controller = read_controller(arguments.operands()[i], limits);
+    simulate_controller(arguments, setting, controller, budget, documents);
   }
   if (arguments.json()) {
     Json out;

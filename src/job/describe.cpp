@@ -66,6 +66,13 @@ report::Number number(const sim::Rational& value) {
   return {sim::fraction(value), sim::to_double(value), 0};
 }
 
+report::Number number(const sim::Figure& figure) {
+  constexpr std::size_t most_characters = 200;
+  std::string exact = figure.exact ? sim::fraction(*figure.exact) : std::string();
+  if (!figure.exact || exact.size() > most_characters) return {"", figure.value, figure.error};
+  return {std::move(exact), figure.value, 0};
+}
+
 report::Ontology describe_ontology(const Scenario& scenario, const World& world,
                                    const std::vector<const Design*>& designs) {
   const owl::Ontology& ontology = world.knowledge.ontology;

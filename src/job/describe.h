@@ -2,6 +2,7 @@
 
 #include <heed/job/controller.h>
 #include <heed/report/result.h>
+#include <heed/sim/lumping.h>
 
 namespace heed::job {
 
@@ -16,5 +17,7 @@ namespace heed::job {
                                                      std::size_t entity);
 [[nodiscard]] std::vector<std::string> describe_method(const Scenario& scenario, const World& world);
 [[nodiscard]] report::Number number(const sim::Rational& value);
+/// A fraction too long to be read is left out.
+[[nodiscard]] report::Number number(const sim::Figure& figure);
 
 }  // namespace heed::job

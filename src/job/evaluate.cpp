@@ -1,3 +1,5 @@
+#include "letters.h"
+
 #include <heed/job/evaluate.h>
 #include <heed/logic/parse.h>
 #include <heed/spec/compose.h>
@@ -6,6 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
 
 namespace heed::job {
 namespace {
@@ -81,11 +86,12 @@ bool is_replaced(const Wired& wired, const World& world, Thing thing) {
                                   : std::any_of(meanings.begin(), meanings.end(), place);
 }
 
-std::uint32_t machine_input(const model::Mealy& machine, const std::string& name) {
-  for (std::uint32_t i = 0; i < machine.inputs.size(); ++i)
-    if (machine.inputs[i].name == name) return i;
+std::uint32_t machine_input(const std::vector<model::Variable>& inputs, const std::string& controller,
+                            const std::string& name) {
+  for (std::uint32_t i = 0; i < inputs.size(); ++i)
+    if (inputs[i].name == name) return i;
   throw util::InputError(util::Location{}, "foreign-controller",
-                         fmt::format("the controller '{}' has no input '{}'", machine.name, name),
+                         fmt::format("the controller '{}' has no input '{}'", controller, name),
                          "it was synthesized for another scenario");
 }
 
@@ -115,6 +121,43 @@ void refuse_temporal(const logic::Formula& formula) {
           "events and outcomes speak of one step; X may stand before what holds of the plant");
 }
 
+/// The formulas of judged(), over the machine's columns.
+std::vector<logic::Formula> judged_over_columns(const EvaluatePart& part, const World& world) {
+  std::vector<logic::Formula> formulas = judged(part);
+  for (logic::Formula& formula : formulas)
+    formula = spec::expand_plant(world.perception.over_inputs(formula), world.plant);
+  return formulas;
+}
+
+/// The category of a step where \p holds says which formulas of judged() hold.
+template <typename Holds>
+std::uint32_t category_of(const EvaluatePart& part, const Holds& holds) {
+  if (!holds(0)) return sim::Judge::none;
+  for (std::size_t o = 0; o < part.outcomes.size(); ++o)
+    if (part.outcomes[o].when && holds(o + 1)) return static_cast<std::uint32_t>(o);
+  return static_cast<std::uint32_t>(part.rest);
+}
+
+/// A Judge or a SymbolicJudge.
+template <typename Judging>
+void name_categories(const EvaluatePart& part, bool never_apart, Judging& judge) {
+  for (const OutcomePart& outcome : part.outcomes) judge.categories.push_back(outcome.label);
+  judge.never = static_cast<std::uint32_t>(part.rest);
+  if (!never_apart) return;
+  judge.never = static_cast<std::uint32_t>(judge.categories.size());
+  judge.categories.emplace_back("never");
+}
+
+/// A machine without rows, which has the columns of \p controller.
+model::Mealy shell_of(const model::SymbolicController& controller) {
+  model::Mealy shell;
+  shell.name = controller.name;
+  shell.inputs = controller.inputs;
+  for (const auto* columns : {&controller.outputs, &controller.memories, &controller.definitions})
+    shell.outputs.insert(shell.outputs.end(), columns->begin(), columns->end());
+  return shell;
+}
+
 }  // namespace
 
 void check_evaluate(const Scenario& scenario, const World& world, const Design& design) {
@@ -130,50 +173,73 @@ void check_evaluate(const Scenario& scenario, const World& world, const Design& 
 sim::Judge make_judge(const Scenario& scenario, const World& world, const model::Mealy& machine,
                       bool never_apart) {
   const EvaluatePart& part = *scenario.evaluate;
-  std::vector<logic::Formula> formulas = judged(part);
-  for (logic::Formula& formula : formulas)
-    formula = spec::expand_plant(world.perception.over_inputs(formula), world.plant);
-  const auto holds = hold_at_transitions(formulas, machine, plant_names(world.plant));
+  const auto holds = hold_at_transitions(judged_over_columns(part, world), machine, plant_names(world.plant));
   sim::Judge judge;
-  for (const OutcomePart& outcome : part.outcomes) judge.categories.push_back(outcome.label);
-  judge.never = static_cast<std::uint32_t>(part.rest);
-  if (never_apart) {
-    judge.never = static_cast<std::uint32_t>(judge.categories.size());
-    judge.categories.emplace_back("never");
-  }
-  judge.event.assign(machine.transitions.size(), sim::Judge::none);
-  for (std::size_t t = 0; t < machine.transitions.size(); ++t) {
-    if (!holds[0][t]) continue;
-    judge.event[t] = static_cast<std::uint32_t>(part.rest);
-    for (std::size_t o = 0; o < part.outcomes.size(); ++o)
-      if (part.outcomes[o].when && holds[o + 1][t]) {
-        judge.event[t] = static_cast<std::uint32_t>(o);
-        break;
-      }
-  }
+  name_categories(part, never_apart, judge);
+  for (std::size_t t = 0; t < machine.transitions.size(); ++t)
+    judge.event.push_back(category_of(part, [&](std::size_t formula) { return bool(holds[formula][t]); }));
   return judge;
 }
 
-Approach approach(const ProfilePart& profile, const World& world, const model::Mealy& machine, Thing thing,
-                  util::Budget& budget) {
-  Approach made;
-  made.binding.blank.assign(machine.inputs.size(), 0);
-  sim::ProfileSpec spec = profile.spec;
+sim::SymbolicJudge make_judge(const Scenario& scenario, const World& world,
+                              const model::SymbolicController& machine, bool never_apart) {
+  struct Judging {
+    model::Mealy shell;
+    std::optional<LetterFormulas> formulas;
+    std::map<std::pair<model::Valuation, model::Valuation>, std::uint32_t> known;
+  };
+  const EvaluatePart& part = *scenario.evaluate;
+  const auto judging = std::make_shared<Judging>();
+  judging->shell = shell_of(machine);
+  const auto formulas = judged_over_columns(part, world);
+  judging->formulas.emplace(formulas, judging->shell, plant_names(world.plant));
+  sim::SymbolicJudge judge;
+  name_categories(part, never_apart, judge);
+  for (std::uint32_t i = 0; i < machine.inputs.size(); ++i) {
+    const auto reads = [&](const logic::Formula& node) {
+      return node.op() == logic::Op::Name && node.name() == machine.inputs[i].name;
+    };
+    const auto somewhere = [&](const logic::Formula& formula) {
+      const auto nodes = logic::postorder(formula);
+      return std::any_of(nodes.begin(), nodes.end(), reads);
+    };
+    if (std::any_of(formulas.begin(), formulas.end(), somewhere)) judge.reads.push_back(i);
+  }
+  judge.event = [judging, &part](const model::Valuation& inputs, const model::Valuation& columns) {
+    const auto [found, added] = judging->known.try_emplace({inputs, columns});
+    if (added)
+      found->second = category_of(
+          part, [&](std::size_t formula) { return judging->formulas->holds(formula, inputs, columns); });
+    return found->second;
+  };
+  return judge;
+}
+
+PlannedApproach plan_approach(const ProfilePart& profile, const World& world,
+                              const std::vector<model::Variable>& inputs, const std::string& controller,
+                              Thing thing) {
+  PlannedApproach made{profile.spec, {}};
+  made.binding.blank.assign(inputs.size(), 0);
   for (std::uint32_t f = 0; f < profile.spec.features.size(); ++f) {
     const sim::FeatureSpec& feature = profile.spec.features[f];
     const Wired wired = find_wired(feature, world.perception);
     const auto value = value_of(wired, world, thing);
-    spec.features[f].replaced = is_replaced(wired, world, thing);
-    spec.features[f].absent = feature.absent || (!value && !spec.features[f].replaced);
-    const std::uint32_t input = machine_input(machine, world.perception.inputs[wired.input].name);
+    made.profile.features[f].replaced = is_replaced(wired, world, thing);
+    made.profile.features[f].absent = feature.absent || (!value && !made.profile.features[f].replaced);
+    const std::uint32_t input = machine_input(inputs, controller, world.perception.inputs[wired.input].name);
     // A false detection of what is not there shows the symbol's own value, or the first value of an input as
     // a whole.
     const std::int32_t false_value =
         wired.meaning != nullptr ? static_cast<std::int32_t>(wired.meaning->value) : 1;
     made.binding.wires.push_back({f, input, value.value_or(false_value)});
   }
-  made.chain = sim::compile(spec, budget);
   return made;
+}
+
+Approach approach(const ProfilePart& profile, const World& world, const model::Mealy& machine, Thing thing,
+                  util::Budget& budget) {
+  PlannedApproach plan = plan_approach(profile, world, machine.inputs, machine.name, thing);
+  return {sim::compile(plan.profile, budget), std::move(plan.binding)};
 }
 
 std::string appearance(const ProfilePart& profile, const World& world, Thing thing) {
@@ -187,31 +253,108 @@ std::string appearance(const ProfilePart& profile, const World& world, Thing thi
   return text;
 }
 
-Evaluation evaluate(const Scenario& scenario, const World& world, const ProfilePart& profile,
-                    const model::Mealy& machine, Thing thing, const EvaluateOptions& options,
-                    util::Budget& budget) {
-  const Approach way = approach(profile, world, machine, thing, budget);
-  const sim::Judge judge = make_judge(scenario, world, machine, options.never_apart);
-  const sim::Run run{way.chain, machine, way.binding, judge};
-  Evaluation evaluation;
-  evaluation.categories = judge.categories;
-  evaluation.exact = sim::exact_outcome(run, budget);
-  evaluation.confidence = scenario.evaluate->confidence;
-  if (options.traces == 0) return evaluation;
+namespace {
+
+/// A chain that is cheaper walked as it is than lumped first.
+constexpr sim::ChainLimits small_chain{std::size_t{1} << 14, std::size_t{1} << 14};
+
+/// The whole chain, where it has no more than that.
+std::optional<sim::Chain> chain_within(const sim::ProfileSpec& profile, const sim::ChainLimits& limits,
+                                       util::Budget& budget) {
+  try {
+    return sim::compile(profile, budget, limits);
+  } catch (const util::LimitExceeded& limit) {
+    if (limit.kind() != util::LimitExceeded::Kind::Size) throw;
+    return std::nullopt;
+  }
+}
+
+sim::LumpedOutcome as_figures(const sim::ExactOutcome& exact) {
+  sim::LumpedOutcome figures;
+  for (const sim::Rational& p : exact.probability) figures.probability.push_back(sim::known(p));
+  figures.undefined = sim::known(exact.undefined);
+  figures.missing = sim::known(exact.missing);
+  figures.fallback = sim::known(exact.fallback);
+  figures.exact = true;
+  return figures;
+}
+
+sim::ExactOutcome as_fractions(const sim::LumpedOutcome& figures) {
+  if (!figures.exact) return {};
+  sim::ExactOutcome exact;
+  for (const sim::Figure& p : figures.probability) exact.probability.push_back(*p.exact);
+  exact.undefined = *figures.undefined.exact;
+  exact.missing = *figures.missing.exact;
+  exact.fallback = *figures.fallback.exact;
+  return exact;
+}
+
+/// What lumps, else the whole chain if that is not too large, either.
+void evaluate_large(const PlannedApproach& plan, const model::Mealy& machine, const sim::Judge& judge,
+                    Evaluation& evaluation, util::Budget& budget) {
+  try {
+    evaluation.figures = sim::lumped_outcome(plan.profile, machine, plan.binding, judge, {}, budget);
+    evaluation.exact = as_fractions(evaluation.figures);
+  } catch (const util::LimitExceeded& limit) {
+    if (limit.kind() != util::LimitExceeded::Kind::Size) throw;
+    const auto chain = chain_within(plan.profile, {}, budget);
+    if (!chain) throw;
+    evaluation.exact = sim::exact_outcome({*chain, machine, plan.binding, judge}, budget);
+    evaluation.figures = as_figures(evaluation.exact);
+  }
+}
+
+void draw_samples(const sim::Run& run, const EvaluateOptions& options, Evaluation& evaluation,
+                  util::Budget& budget) {
   sim::SampleOptions sampling;
   sampling.traces = options.traces;
   sampling.seed = options.seed;
   sampling.threads = options.threads;
   const sim::Sampler sampler(run, budget);
-  if (options.width > 0) {
-    sim::WidthOutcome found = sim::sample_to_width(
-        sampler, {options.width, evaluation.confidence, options.traces}, sampling, budget);
-    evaluation.sampled = std::move(found.outcome);
-    evaluation.confidence = found.confidence;
-    evaluation.width_reached = found.reached;
-  } else {
+  if (options.width <= 0) {
     evaluation.sampled = sampler.sample(sampling, budget);
+    return;
   }
+  sim::WidthOutcome found =
+      sim::sample_to_width(sampler, {options.width, evaluation.confidence, options.traces}, sampling, budget);
+  evaluation.sampled = std::move(found.outcome);
+  evaluation.confidence = found.confidence;
+  evaluation.width_reached = found.reached;
+}
+
+}  // namespace
+
+Evaluation evaluate(const Scenario& scenario, const World& world, const ProfilePart& profile,
+                    const model::Mealy& machine, Thing thing, const EvaluateOptions& options,
+                    util::Budget& budget) {
+  const PlannedApproach plan = plan_approach(profile, world, machine.inputs, machine.name, thing);
+  const sim::Judge judge = make_judge(scenario, world, machine, options.never_apart);
+  Evaluation evaluation;
+  evaluation.categories = judge.categories;
+  evaluation.confidence = scenario.evaluate->confidence;
+  auto chain = chain_within(plan.profile, small_chain, budget);
+  if (chain) {
+    evaluation.exact = sim::exact_outcome({*chain, machine, plan.binding, judge}, budget);
+    evaluation.figures = as_figures(evaluation.exact);
+  } else {
+    evaluate_large(plan, machine, judge, evaluation, budget);
+  }
+  if (options.traces == 0) return evaluation;
+  if (!chain) chain = chain_within(plan.profile, {}, budget);
+  if (chain) draw_samples({*chain, machine, plan.binding, judge}, options, evaluation, budget);
+  return evaluation;
+}
+
+Evaluation evaluate(const Scenario& scenario, const World& world, const ProfilePart& profile,
+                    const model::SymbolicController& machine, Thing thing, const EvaluateOptions& options,
+                    util::Budget& budget) {
+  const PlannedApproach plan = plan_approach(profile, world, machine.inputs, machine.name, thing);
+  const sim::SymbolicJudge judge = make_judge(scenario, world, machine, options.never_apart);
+  Evaluation evaluation;
+  evaluation.categories = judge.categories;
+  evaluation.confidence = scenario.evaluate->confidence;
+  evaluation.figures = sim::lumped_outcome(plan.profile, machine, plan.binding, judge, {}, budget);
+  evaluation.exact = as_fractions(evaluation.figures);
   return evaluation;
 }
 
@@ -226,7 +369,7 @@ std::vector<std::string> states_on_the_way(const World& world, const ProfilePart
   for (const sim::FeatureSpec& feature : profile.spec.features) {
     const Wired wired = find_wired(feature, world.perception);
     if (const auto value = value_of(wired, world, thing))
-      full[machine_input(machine, world.perception.inputs[wired.input].name)] = *value;
+      full[machine_input(machine.inputs, machine.name, world.perception.inputs[wired.input].name)] = *value;
   }
   std::vector<std::string> states;
   std::uint32_t state = 0;

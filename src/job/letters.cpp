@@ -1,6 +1,8 @@
 // Formulas over the letters of a machine: evaluated once per distinct pair of letters, in postorder over
 // integers, where a truth value is 0 or 1.
 
+#include "letters.h"
+
 #include <heed/job/evaluate.h>
 #include <heed/logic/parse.h>
 #include <heed/util/diagnostic.h>
@@ -178,6 +180,26 @@ class LetterFormula {
 };
 
 }  // namespace
+
+struct LetterFormulas::Parts {
+  std::vector<std::string> replaced;  ///< Which the formulas refer to.
+  std::vector<LetterFormula> formulas;
+};
+
+LetterFormulas::LetterFormulas(const std::vector<Formula>& formulas, const model::Mealy& machine,
+                               const std::vector<std::string>& replaced)
+    : parts_(std::make_unique<Parts>()) {
+  parts_->replaced = replaced;
+  parts_->formulas.reserve(formulas.size());
+  for (const Formula& formula : formulas) parts_->formulas.emplace_back(formula, machine, parts_->replaced);
+}
+
+LetterFormulas::~LetterFormulas() = default;
+
+bool LetterFormulas::holds(std::size_t formula, const model::Valuation& input,
+                           const model::Valuation& output) {
+  return parts_->formulas[formula].holds(input, output);
+}
 
 std::vector<std::vector<bool>> hold_at_transitions(const std::vector<Formula>& formulas,
                                                    const model::Mealy& machine,

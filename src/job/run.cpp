@@ -57,6 +57,10 @@ struct Candidate {
   std::optional<model::Mealy> machine;  ///< Read back from disk.
 };
 
+std::string probability_text(const sim::Figure& p) {
+  return p.exact ? sim::decimal(*p.exact, 6) : fmt::format("{:.6f}", p.value);
+}
+
 class Job {
  public:
   Job(const Scenario& scenario, const RunOptions& options, util::Budget& budget)
@@ -200,7 +204,7 @@ class Job {
     chart.traces = found.sampled.traces;
     std::vector<double> probabilities;
     for (std::size_t c = 0; c < found.categories.size(); ++c) {
-      report::Bar bar{found.categories[c], number(found.exact.probability[c])};
+      report::Bar bar{found.categories[c], number(found.figures.probability[c])};
       probabilities.push_back(bar.exact.value);
       if (chart.traces > 0) {
         bar.sampled = found.sampled.count[c];
@@ -216,25 +220,25 @@ class Job {
       chart.degrees_of_freedom = test.degrees;
       chart.p_value = test.p_value;
     }
-    note_violations(profile, candidate, found.exact);
+    note_violations(profile, candidate, found.figures);
     return chart;
   }
 
   void note_violations(const ProfilePart& profile, const Candidate& candidate,
-                       const sim::ExactOutcome& exact) {
-    const auto note = [&](const sim::Rational& p, std::string_view what) {
-      if (p == 0) return;
+                       const sim::LumpedOutcome& figures) {
+    const auto note = [&](const sim::Figure& p, std::string_view what) {
+      if (p.exact ? *p.exact == 0 : p.value == 0) return;
       result_.warnings.push_back(
           {util::Severity::Warning,
            profile.spec.location,
            "assumption-broken",
            fmt::format("under {} the assumptions of '{}' break with probability {}: {}", profile.spec.name,
-                       candidate.part->name.text, sim::decimal(p, 6), what),
+                       candidate.part->name.text, probability_text(p), what),
            "drop the assumption, or let perception latch",
            {}});
     };
-    note(exact.fallback, "the stated fallback answers");
-    note(exact.missing, "there is no answer, the run ends there");
+    note(figures.fallback, "the stated fallback answers");
+    note(figures.missing, "there is no answer, the run ends there");
   }
 
   /// The leaves of the catalogue, then the open road. Things that look alike are driven past once.
@@ -264,19 +268,19 @@ class Job {
                                              exact_only, budget_))
                       .first;
         }
-        entry.encounters.push_back(encounter(profile, candidate, entry, found->second.exact));
+        entry.encounters.push_back(encounter(profile, candidate, entry, found->second.figures));
       }
   }
 
   [[nodiscard]] report::Encounter encounter(const ProfilePart& profile, const Candidate& candidate,
                                             const report::CatalogueEntry& entry,
-                                            const sim::ExactOutcome& exact) const {
-    const sim::Rational never = exact.probability.back();
-    const sim::Rational missed = exact.probability[scenario_.evaluate->miss] + never;
-    report::Encounter encounter{profile.spec.name, candidate.part->name.text, number(1 - missed)};
+                                            const sim::LumpedOutcome& figures) const {
+    const sim::Figure never = figures.probability.back();
+    const sim::Figure missed = figures.probability[scenario_.evaluate->miss] + never;
+    report::Encounter encounter{profile.spec.name, candidate.part->name.text, number(complement(missed))};
     if (entry.prescribes_halt) encounter.miss = number(missed);
     if (!entry.prescribes_halt && !entry.prescribes_give_way)
-      encounter.needless = number(1 - never - exact.undefined);
+      encounter.needless = number(complement(never + figures.undefined));
     return encounter;
   }
 

@@ -6,6 +6,8 @@
 // (and only then) what it refers to is drawn ahead and kept in the state.
 #include "chain_builder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 
@@ -41,16 +43,19 @@ void merge(std::vector<Branch>& branches) {
   branches.resize(kept);
 }
 
-[[noreturn]] void too_large(const std::string& profile) {
-  throw util::LimitExceeded(util::LimitExceeded::Kind::Size,
-                            "in one cell of profile '" + profile +
-                                "' more than 2^18 things may happen; let features depend less on chance");
+[[noreturn]] void too_large(const std::string& profile, std::size_t most) {
+  throw util::LimitExceeded(
+      util::LimitExceeded::Kind::Size,
+      fmt::format(
+          "in one cell of profile '{}' more than {} things may happen; let features depend less on chance",
+          profile, most));
 }
 
 }  // namespace
 
-CellUnfolder::CellUnfolder(const ProfileModel& model, std::vector<bool> ahead, util::Budget& budget)
-    : model_(model), ahead_(std::move(ahead)), budget_(budget), cells_(model.spec.cells) {}
+CellUnfolder::CellUnfolder(const ProfileModel& model, std::vector<bool> ahead, std::size_t most,
+                           util::Budget& budget)
+    : model_(model), ahead_(std::move(ahead)), most_(most), budget_(budget), cells_(model.spec.cells) {}
 
 std::vector<Branch> CellUnfolder::start() {
   Knowledge nothing;
@@ -117,7 +122,7 @@ void CellUnfolder::draw_shuffle(const DrawUnit& unit, std::uint32_t cell, std::v
     std::vector<std::uint32_t> waiting;
     for (const std::uint32_t f : unit.features)
       if (branch.knowledge.onset[f] == Knowledge::later) waiting.push_back(f);
-    if (waiting.size() > most_shuffled) too_large(model_.spec.name);
+    if (waiting.size() > most_shuffled) too_large(model_.spec.name, most_);
     const auto dealt = static_cast<std::size_t>(
         std::count_if(slots->begin(), slots->end(), [&](std::int64_t at) { return at < cell; }));
     const auto now = static_cast<std::size_t>(std::count(slots->begin(), slots->end(), cell));
@@ -179,7 +184,7 @@ void CellUnfolder::draw_shuffle_ahead(const DrawUnit& unit, std::vector<Branch>&
           given.slots.erase(given.slots.begin() + static_cast<std::ptrdiff_t>(i));
           next.push_back(std::move(given));
         }
-        if (next.size() > chain_branch_limit) too_large(model_.spec.name);
+        if (next.size() > most_) too_large(model_.spec.name, most_);
       }
       hands = std::move(next);
     }
@@ -223,7 +228,7 @@ void CellUnfolder::forget(std::uint32_t cell, Knowledge& knowledge) const {
 }
 
 void CellUnfolder::grow(std::vector<Branch>& branches, Branch branch) {
-  if (branches.size() >= chain_branch_limit) too_large(model_.spec.name);
+  if (branches.size() >= most_) too_large(model_.spec.name, most_);
   if (branches.size() % 256 == 0) budget_.check();
   branches.push_back(std::move(branch));
 }

@@ -30,7 +30,8 @@ struct Branch {
 class CellUnfolder {
  public:
   /// \param ahead  Per unit: its onsets are drawn before cell 0. Closed under what units refer to.
-  CellUnfolder(const ProfileModel& model, std::vector<bool> ahead, util::Budget& budget);
+  /// \param most  Branches of one cell.
+  CellUnfolder(const ProfileModel& model, std::vector<bool> ahead, std::size_t most, util::Budget& budget);
 
   /// What may be known before cell 0: one branch, unless something is drawn ahead.
   [[nodiscard]] std::vector<Branch> start();
@@ -59,6 +60,7 @@ class CellUnfolder {
 
   const ProfileModel& model_;
   std::vector<bool> ahead_;
+  std::size_t most_;
   util::Budget& budget_;
   std::uint32_t cells_;
   std::optional<std::vector<bool>> wanted_ahead_;

@@ -2,7 +2,9 @@
 
 #include <heed/job/controller.h>
 #include <heed/model/mealy.h>
+#include <heed/model/symbolic.h>
 #include <heed/sim/exact.h>
+#include <heed/sim/lumping.h>
 #include <heed/sim/run.h>
 #include <heed/sim/sample.h>
 #include <heed/util/limits.h>
@@ -33,6 +35,10 @@ void check_evaluate(const Scenario& scenario, const World& world, const Design& 
 [[nodiscard]] sim::Judge make_judge(const Scenario& scenario, const World& world, const model::Mealy& machine,
                                     bool never_apart);
 
+/// The same for a machine by functions, which must outlive it, as must \p scenario and \p world.
+[[nodiscard]] sim::SymbolicJudge make_judge(const Scenario& scenario, const World& world,
+                                            const model::SymbolicController& machine, bool never_apart);
+
 /// What is on the road: an entity of the catalogue, or nothing.
 using Thing = std::optional<std::size_t>;
 
@@ -46,13 +52,24 @@ struct Approach {
 [[nodiscard]] Approach approach(const ProfilePart& profile, const World& world, const model::Mealy& machine,
                                 Thing thing, util::Budget& budget);
 
+/// The same before the chain is made of it.
+struct PlannedApproach {
+  sim::ProfileSpec profile;
+  sim::Binding binding;
+};
+/// \param inputs  Of the machine \p controller.
+[[nodiscard]] PlannedApproach plan_approach(const ProfilePart& profile, const World& world,
+                                            const std::vector<model::Variable>& inputs,
+                                            const std::string& controller, Thing thing);
+
 /// What an approach looks like: the same text means the same distribution of observations.
 [[nodiscard]] std::string appearance(const ProfilePart& profile, const World& world, Thing thing);
 
 /// One chart: exact and sampled outcomes.
 struct Evaluation {
   std::vector<std::string> categories;
-  sim::ExactOutcome exact;
+  sim::LumpedOutcome figures;  ///< Of the exact analysis, rounded with a bound where fractions cost too much.
+  sim::ExactOutcome exact;     ///< The same as fractions, where figures.exact.
   sim::SampleOutcome sampled;
   double confidence = 0;      ///< At which the intervals of `sampled` are to be taken.
   bool width_reached = true;  ///< False: `traces` came before EvaluateOptions::width.
@@ -66,6 +83,10 @@ struct EvaluateOptions {
 [[nodiscard]] Evaluation evaluate(const Scenario& scenario, const World& world, const ProfilePart& profile,
                                   const model::Mealy& machine, Thing thing, const EvaluateOptions& options,
                                   util::Budget& budget);
+/// For a machine by functions: \p options beside `never_apart` are not used, nothing is sampled.
+[[nodiscard]] Evaluation evaluate(const Scenario& scenario, const World& world, const ProfilePart& profile,
+                                  const model::SymbolicController& machine, Thing thing,
+                                  const EvaluateOptions& options, util::Budget& budget);
 
 /// The plant's states on the way when \p thing becomes visible as a whole in \p cell (or never, if \p cell is
 /// past the last one); empty when the machine does not tell.

@@ -151,6 +151,11 @@ struct Chain {
 inline constexpr std::size_t chain_step_limit = std::size_t{1} << 20;
 inline constexpr std::size_t chain_branch_limit = std::size_t{1} << 18;
 
+/// For callers that have another way where the chain is large.
+struct ChainLimits {
+  std::size_t steps = chain_step_limit, branches = chain_branch_limit;
+};
+
 /// Turns the profile into its chain. Within a cell a feature is drawn after those that its rule refers to, so
 /// `from = "sign"` may be met in the very cell of the sign. Where a rule looks ahead (`at = "sign - 1"`),
 /// what it refers to is drawn before the first cell and kept hidden in the state. Cost: states x branches per
@@ -159,6 +164,6 @@ inline constexpr std::size_t chain_branch_limit = std::size_t{1} << 18;
 /// `cyclic-onsets`,
 ///   `probability-range`, `probability-sum`, `empty-range`, `bad-shuffle`, `bad-cells`.
 /// \throws util::LimitExceeded  Size: beyond the two limits above; or the budget's own limits.
-[[nodiscard]] Chain compile(const ProfileSpec& profile, util::Budget& budget);
+[[nodiscard]] Chain compile(const ProfileSpec& profile, util::Budget& budget, const ChainLimits& limits = {});
 
 }  // namespace heed::sim
