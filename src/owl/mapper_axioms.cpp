@@ -183,7 +183,13 @@ void Mapper::disjoint_union(std::uint32_t at) {
   const Triple t = triple(at);
   if (!t.subject.is_iri()) return;
   use(EntityKind::Class, t.subject.as_iri());
-  if (auto parts = classes_of(t.object, at)) emit(at, DisjointUnion{t.subject.as_iri(), std::move(*parts)});
+  auto parts = classes_of(t.object, at);
+  if (!parts) return;
+  if (parts->size() < 2)
+    emit(at, EquivalentClasses{
+                 {ClassExpression::named(t.subject.as_iri()), ClassExpression::union_of(std::move(*parts))}});
+  else
+    emit(at, DisjointUnion{t.subject.as_iri(), std::move(*parts)});
 }
 
 void Mapper::has_key(std::uint32_t at) {
@@ -353,6 +359,9 @@ void Mapper::all_disjoint(std::uint32_t at) {
   const auto members = list_of(*head, at);
   if (!members) return;
   used_[at] = true;
+  if (members->size() < 2)
+    return report(at, "too-few", "fewer than two members differ from nothing: the axiom is left out",
+                  "list at least two");
   if (t.object == v::owl_all_different) {
     std::vector<Iri> individuals;
     for (const Term member : *members)

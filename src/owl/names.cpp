@@ -28,7 +28,7 @@ Iri Names::prefixed(std::string_view prefix, std::string_view local, std::size_t
          util::suggestion(std::string(prefix) + ":", known));
   }
   scratch_.assign(found->second).append(local);
-  return context_.iris.intern(scratch_);
+  return checked(offset);
 }
 
 Iri Names::abbreviated(std::string_view name, std::size_t offset) {
@@ -39,6 +39,10 @@ Iri Names::abbreviated(std::string_view name, std::size_t offset) {
 
 Iri Names::resolved(std::string_view base, std::string_view reference, std::size_t offset) {
   resolve_iri(base, reference, scratch_);
+  return checked(offset);
+}
+
+Iri Names::checked(std::size_t offset) {
   const std::size_t count = context_.iris.size();
   const Iri iri = context_.iris.intern(scratch_);
   const std::size_t bad = context_.iris.size() > count ? first_bad_character(scratch_) : std::string::npos;
@@ -60,7 +64,8 @@ Literal Names::literal(std::string value, Iri datatype, std::string_view languag
   Literal out{std::move(value), datatype, std::string(language)};
   if (datatype == v::rdf_plain_literal && language.empty()) {
     const std::size_t at = out.value.rfind('@');
-    if (at != std::string::npos) {
+    if (at != std::string::npos &&
+        (at + 1 == out.value.size() || is_language_tag(out.value.substr(at + 1)))) {
       out.language = out.value.substr(at + 1);
       out.value.resize(at);
     }

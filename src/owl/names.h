@@ -40,6 +40,9 @@ class Names {
                          std::string hint = {}) const;
 
  private:
+  /// What scratch_ holds. A warning where that is new and no IRI.
+  Iri checked(std::size_t offset);
+
   const util::SourceText& source_;
   ReadContext context_;
   std::string base_;

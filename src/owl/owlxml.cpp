@@ -122,8 +122,15 @@ Frame OwlXml::inside(pugi::xml_node element, const Frame& outer) {
     resolve_iri(*outer.base, value_of(base), resolved);
     frame.base = &kept_.emplace_back(std::move(resolved));
   }
-  if (const auto language = element.attribute("xml:lang"))
-    frame.language = kept_.emplace_back(value_of(language));
+  if (const auto attribute = element.attribute("xml:lang")) {
+    std::string& language = kept_.emplace_back(value_of(attribute));
+    if (!language.empty() && !is_language_tag(language)) {
+      names_.warn(input_.offset_of(attribute.value()), "bad-language",
+                  fmt::format("'{}' is no language and is left out", language), "such as en or de-AT");
+      language.clear();
+    }
+    frame.language = language;
+  }
   return frame;
 }
 

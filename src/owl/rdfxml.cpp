@@ -210,6 +210,12 @@ void RdfXml::bind_names(Frame& frame) {
       frame.base = &kept_.emplace_back(scratch_);
     } else if (name == "xml:lang") {
       std::string& language = kept_.emplace_back(value_of(attribute));
+      if (!language.empty() && !is_language_tag(language)) {
+        context_.diagnostics.push_back(
+            warning_at(graph_.source, offset_of(attribute.value()), "bad-language",
+                       fmt::format("'{}' is no language and is left out", language), "such as en or de-AT"));
+        language.clear();
+      }
       for (char& c : language)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
       frame.language = language;

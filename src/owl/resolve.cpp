@@ -66,6 +66,22 @@ std::size_t first_bad_character(std::string_view iri) {
   return std::string_view::npos;
 }
 
+bool is_language_tag(std::string_view text) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  bool first = true, empty = true;
+  for (const char c : text) {
+    if (c == '-' && !empty) {
+      first = false;
+      empty = true;
+    } else if (letter(c) || (!first && c >= '0' && c <= '9')) {
+      empty = false;
+    } else {
+      return false;
+    }
+  }
+  return !empty;
+}
+
 void resolve_iri(std::string_view base, std::string_view reference, std::string& out) {
   if (is_absolute_iri(reference)) {
     out.assign(reference);

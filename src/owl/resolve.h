@@ -15,4 +15,7 @@ void resolve_iri(std::string_view base, std::string_view reference, std::string&
 /// The first character that no IRI may hold (space, control, <>"{}|\^`), or npos.
 [[nodiscard]] std::size_t first_bad_character(std::string_view iri);
 
+/// Whether it is letters, then groups of letters and digits behind hyphens: what a language tag may be.
+[[nodiscard]] bool is_language_tag(std::string_view text);
+
 }  // namespace heed::owl

@@ -26,6 +26,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{":A owl:equivalentClass :B .", "EquivalentClasses(A B)"},
         Case{":A owl:disjointWith :B .", "DisjointClasses(A B)"},
         Case{":A owl:disjointUnionOf (:B :C) .", "DisjointUnion(A B C)"},
+        Case{":A owl:disjointUnionOf (:B) .", "EquivalentClasses(A B)"},
+        Case{":A owl:disjointUnionOf () .", "EquivalentClasses(A Nothing)"},
         Case{"[] a owl:AllDisjointClasses ; owl:members (:A :B :C) .", "DisjointClasses(A B C)"},
         Case{":A rdfs:subClassOf [owl:intersectionOf (:B :C)] .", "SubClassOf(A ObjectIntersectionOf(B C))"},
         Case{":A rdfs:subClassOf [a owl:Class; owl:unionOf (:B :C)] .", "SubClassOf(A ObjectUnionOf(B C))"},
