@@ -4,7 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <unordered_map>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace heed::strategy {
@@ -18,27 +19,39 @@ class Cofactors {
   using Id = std::uint32_t;
   static constexpr Id none = static_cast<Id>(-1);
 
-  explicit Cofactors(std::vector<bdd::Var> order) : order_(std::move(order)), index_(order_.size() + 1) {}
+  /// \param width  How many functions a vector has.
+  Cofactors(bdd::Manager& manager, std::vector<bdd::Var> order, std::size_t width);
 
-  /// The number of \p functions before any variable has its value.
-  Id root(std::vector<bdd::Bdd> functions) { return intern(0, std::move(functions)); }
+  /// The number of \p functions before any variable has its value. \pre width many
+  Id root(std::span<const bdd::Bdd> functions) { return intern(0, functions); }
   /// What is left when the next variable gets \p value. \pre depth of \p id < number of variables
-  Id step(Id id, bool value);
-  [[nodiscard]] const std::vector<bdd::Bdd>& functions(Id id) const { return nodes_[id].functions; }
-  [[nodiscard]] std::size_t depth() const { return order_.size(); }
+  Id step(Id id, bool value) {
+    const Id known = nodes_[id].next[value ? 1 : 0];
+    return known != none ? known : make_step(id, value);
+  }
+  [[nodiscard]] std::span<const bdd::Bdd> functions(Id id) const {
+    return {&chunks_[id / chunk_vectors][id % chunk_vectors * width_], width_};
+  }
 
  private:
   struct Node {
-    std::vector<bdd::Bdd> functions;
-    std::uint32_t depth;
     std::array<Id, 2> next{none, none};
-    Id same_hash = none;  ///< Another one of this depth with the same hash.
+    std::uint32_t depth = 0;
   };
-  Id intern(std::uint32_t depth, std::vector<bdd::Bdd> functions);
+  /// Handles stay where they are: moving a million of them costs more than finding them.
+  static constexpr std::size_t chunk_vectors = 256;
 
-  std::vector<bdd::Var> order_;
+  Id make_step(Id id, bool value);
+  Id intern(std::uint32_t depth, std::span<const bdd::Bdd> functions);
+  [[nodiscard]] std::uint64_t hash_of(std::uint32_t depth, std::span<const bdd::Bdd> functions) const;
+  void grow();
+
+  std::vector<std::array<bdd::Bdd, 2>> literals_;  ///< By depth and value.
+  std::size_t width_;
   std::vector<Node> nodes_;
-  std::vector<std::unordered_map<std::uint64_t, Id>> index_;  ///< By depth, then by hash: the last one added.
+  std::vector<std::unique_ptr<bdd::Bdd[]>> chunks_;
+  std::vector<Id> table_;  ///< Open addressing, a power of two, at most half full.
+  std::vector<bdd::Bdd> rest_;
 };
 
 }  // namespace heed::strategy

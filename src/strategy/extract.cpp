@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
+#include <span>
 #include <unordered_map>
 
 namespace heed::strategy {
@@ -50,19 +52,10 @@ model::Valuation lowest(const game::Game& game, Owner owner) {
   return values;
 }
 
-/// The system's answer to one next input: the same wherever the rest of the future is the same.
-struct Answer {
-  std::uint32_t number = 0;  ///< Of all answers.
-  std::vector<bool> bits;    ///< Outputs, then memories.
-  model::Valuation values;
-  bool waits = false;
-  bool met = false;
-};
-
 /// Lists the machine state by state. A state is the vector of functions that is left of (legal inputs, rule,
-/// updates) once the play's current values are put in; its letters are listed by walking that vector, the
-/// rules of all goals over the step to come, and the columns, all three along the same input bits at once.
-/// \cite ehlers.16.cav
+/// updates) once the play's current values are put in. Its letters are listed by walking that vector and,
+/// along the same input bits, the rules of all goals over the step to come with the columns; an answer's bits
+/// are then put in at once. What follows from equal rests is looked up. \cite ehlers.16.cav
 class Extractor {
  public:
   Extractor(const game::Game& game, const game::Region& region, util::Budget& budget, const Options& options)
@@ -76,9 +69,10 @@ class Extractor {
         output_places_(places(game, Owner::Output)),
         memory_places_(places(game, Owner::Memory)),
         input_order_(by_level()),
-        state_(key_order()),
-        future_(step_order()),
-        columns_(step_order()),
+        updates_(game.updates.size()),
+        columns_at_(1 + updates_ + 3 * goals_),
+        state_(*game.manager, ordered_inputs(true), Updates + updates_),
+        future_(*game.manager, ordered_inputs(false), columns_at_ + game.definitions.size() + goals_),
         builder_(game.spec->name, game.spec->inputs, spec::controller_outputs(*game.spec)),
         latch_(game.spec->inputs, options.on_violation == OnViolation::Latch),
         letter_(lowest(game, Owner::Input)) {
@@ -110,29 +104,18 @@ class Extractor {
     return order;
   }
 
-  [[nodiscard]] std::vector<Var> key_order() const {
-    const std::vector<Var> bits = game_.bits(Owner::Input, true);
+  [[nodiscard]] std::vector<Var> ordered_inputs(bool next) const {
+    const std::vector<Var> bits = game_.bits(Owner::Input, next);
     std::vector<Var> order;
     order.reserve(bits.size());
     for (const std::size_t i : input_order_) order.push_back(bits[i]);
-    return order;
-  }
-
-  [[nodiscard]] std::vector<Var> step_order() const {
-    const std::vector<Var> bits = game_.bits(Owner::Input, false);
-    std::vector<Var> order;
-    order.reserve(bits.size());
-    for (const std::size_t i : input_order_) order.push_back(bits[i]);
-    for (const Owner owner : {Owner::Output, Owner::Memory})
-      for (const Var variable : game_.bits(owner, false)) order.push_back(variable);
     return order;
   }
 
   void prepare_futures() {
     const Bdd never = game_.manager->constant(false);
-    std::vector<Bdd> roots{legal_inputs(game_)};
+    std::vector<Bdd> roots{legal_inputs(game_)}, columns = game_.definitions;
     roots.insert(roots.end(), game_.updates.begin(), game_.updates.end());
-    std::vector<Bdd> columns = game_.definitions;
     const std::vector<Rule> rules = make_rules(game_, region_, budget_);
     for (std::size_t goal = 0; goal < goals_; ++goal) {
       const game::Justice& justice = game_.sys_justice[goal];
@@ -140,12 +123,13 @@ class Extractor {
                    {rules[goal].moves, rules[goal].waits, justice.step ? justice.relation : never});
       columns.push_back(justice.step ? never : justice.relation);
     }
-    future_root_ = future_.root(std::move(roots));
-    columns_root_ = columns_.root(std::move(columns));
-    const std::vector<Var> outputs = game_.bits(Owner::Output, true);
-    const std::vector<Var> memories = game_.bits(Owner::Memory, true);
-    output_bits_ = outputs;
-    memory_bits_ = memories;
+    roots.insert(roots.end(), columns.begin(), columns.end());
+    letters_.emplace(future_, future_.root(roots));
+    output_bits_ = game_.bits(Owner::Output, true);
+    memory_bits_ = game_.bits(Owner::Memory, true);
+    for (const Owner owner : {Owner::Output, Owner::Memory})
+      for (const Var variable : game_.bits(owner, false)) answer_bits_.push_back(variable);
+    assignment_.resize(game_.manager->variable_count());
     valid_inputs_ = game_.valid.exists(game_.outputs & game_.memories).next();
   }
 
@@ -164,22 +148,8 @@ class Extractor {
     }
     const Bdd never = game_.manager->constant(false);
     std::vector<Bdd> roots{legal.next(), answers.next(), never, never};
-    return state_.root(std::move(roots));
-  }
-
-  /// What is left of the rules of one goal after a step: the key of the state that the step leads to.
-  Cofactors::Id future_of(Cofactors::Id end, std::size_t goal) {
-    const std::uint64_t memo = std::uint64_t{end} * goals_ + goal;
-    const auto found = keys_.find(memo);
-    if (found != keys_.end()) return found->second;
-    const std::vector<Bdd>& left = future_.functions(end);
-    const std::size_t updates = game_.updates.size();
-    const std::size_t base = 1 + updates + 3 * goal;
-    std::vector<Bdd> roots{left[0], left[base], left[base + 1], left[base + 2]};
-    roots.insert(roots.end(), left.begin() + 1, left.begin() + 1 + static_cast<std::ptrdiff_t>(updates));
-    const Cofactors::Id id = state_.root(std::move(roots));
-    keys_.emplace(memo, id);
-    return id;
+    roots.resize(Updates + updates_, never);
+    return state_.root(roots);
   }
 
   void expand(std::uint32_t state) {
@@ -191,8 +161,9 @@ class Extractor {
     if (moore_ && !first_step_) {
       const Bdd& moves = state_.functions(key_.future)[Moves];
       choice_ = moves.is_false() ? std::vector<bool>(output_bits_.size()) : moves.pick(output_bits_);
+      choice_number_ = choices_.number(choice_);
     }
-    walk({0, 0, key_.future, future_root_, columns_root_});
+    walk(0, Letters::root, key_.future);
     if (options_.on_violation == OnViolation::Latch)
       latch_.fill(key_.observation, [&](const model::Valuation& letter, const LegalRow& row) {
         count_row();
@@ -214,78 +185,118 @@ class Extractor {
     });
   }
 
-  /// A place in the walk over one state's letters.
-  struct Walk {
-    std::size_t depth;
-    LetterPaths::Id path;
-    Cofactors::Id state, future, columns;
-  };
-
-  void walk(const Walk& at) {
-    if (state_.functions(at.state)[Legal].is_false()) return;
-    if (at.depth == input_order_.size()) {
-      step(at);
+  void walk(std::size_t depth, Letters::Id path, Cofactors::Id state) {
+    if (state_.functions(state)[Legal].is_false()) return;
+    if (depth == input_order_.size()) {
+      step(letters_->leaf(path, letter_, builder_), state);
       return;
     }
-    const Place& place = input_places_[input_order_[at.depth]];
+    const Place& place = input_places_[input_order_[depth]];
     for (const bool value : {false, true}) {
       if (value) letter_[place.variable] += place.weight;
-      walk({at.depth + 1, paths_.step(at.path, value), state_.step(at.state, value),
-            future_.step(at.future, value), columns_.step(at.columns, value)});
+      walk(depth + 1, letters_->step(path, value), state_.step(state, value));
       if (value) letter_[place.variable] -= place.weight;
     }
   }
 
-  /// Where an answer leads from a place in the walk.
+  void step(const Letters::Leaf& letter, Cofactors::Id left) {
+    const Situation at{left, letter.future, static_cast<std::uint32_t>(key_.goal), choice_number_};
+    const auto [known, fresh] = reactions_.try_emplace(at);
+    if (fresh) known->second = react(at);
+    const Reaction& reaction = known->second;
+    relies_ = relies_ || reaction.waits;
+    add_row({letter.number, reaction.output, 0, false}, reaction);
+  }
+
+  [[nodiscard]] Reaction react(const Situation& at) {
+    const Answer answer = answer_to(at);
+    const Step reached = follow(at, answer);
+    const auto [letter, added] =
+        output_letters_.try_emplace((std::uint64_t{answer.bits} << 32) | reached.columns, 0U);
+    if (added) letter->second = builder_.output_letter(output_of(answer.bits, columns_[reached.columns]));
+    return {letter->second, reached.future, reached.goal, answer.waits};
+  }
+
+  /// Where an answer leads.
   struct Step {
-    Cofactors::Id future, columns;
-    std::size_t goal;
+    Cofactors::Id future;
+    std::uint32_t columns, goal;
   };
 
-  [[nodiscard]] Step follow(const Walk& at, const Answer& answer) {
-    Step step{at.future, at.columns, 0};
-    for (const bool bit : answer.bits) {
-      step.future = future_.step(step.future, bit);
-      step.columns = columns_.step(step.columns, bit);
+  [[nodiscard]] std::uint32_t columns_of(Cofactors::Id future, std::uint32_t bits) {
+    const auto [known, fresh] = columns_of_.try_emplace((std::uint64_t{future} << 32) | bits, 0U);
+    if (fresh) known->second = evaluate_columns(future, bits);
+    return known->second;
+  }
+
+  [[nodiscard]] End end_of(const Situation& at, const Answer& answer) {
+    const std::vector<bool>& shown = columns_[columns_of(at.future, answer.bits)];
+    const std::size_t goal = next_goal(answer.met ? (at.goal + 1) % goals_ : at.goal, shown);
+    return {at.future, answer.bits, static_cast<std::uint32_t>(goal)};
+  }
+
+  [[nodiscard]] Step follow(const Situation& at, const Answer& answer) {
+    const End end = end_of(at, answer);
+    return {future_of(end), columns_of(at.future, answer.bits), end.goal};
+  }
+
+  [[nodiscard]] std::uint32_t evaluate_columns(Cofactors::Id future, std::uint32_t bits) {
+    const std::vector<bool>& values = bits_[bits];
+    for (std::size_t i = 0; i < values.size(); ++i) assignment_[answer_bits_[i]] = values[i];
+    const std::span<const Bdd> columns = future_.functions(future).subspan(columns_at_);
+    std::vector<bool> shown(columns.size());
+    for (std::size_t i = 0; i < shown.size(); ++i) shown[i] = columns[i].evaluate(assignment_);
+    return columns_.number(std::move(shown));
+  }
+
+  /// What is left of the rules of one goal after a step: the key of the state that the step leads to.
+  Cofactors::Id future_of(const End& end) {
+    const auto [known, fresh] = keys_.try_emplace(end, Cofactors::none);
+    if (!fresh) return known->second;
+    const std::span<const Bdd> all = future_.functions(end.future);
+    const Bdd& cube = cube_of(end.bits);
+    std::vector<Bdd> left;
+    left.reserve(Updates + updates_);
+    const auto put_in = [&](std::span<const Bdd> functions) {
+      for (const Bdd& function : functions)
+        left.push_back(function.is_constant() ? function : function.cofactor(cube));
+    };
+    put_in(all.first(1));
+    put_in(all.subspan(1 + updates_ + 3 * end.goal, 3));
+    put_in(all.subspan(1, updates_));
+    return known->second = state_.root(left);
+  }
+
+  [[nodiscard]] const Bdd& cube_of(std::uint32_t bits) {
+    for (std::size_t i = cubes_.size(); i < bits_.size(); ++i) {
+      std::vector<bdd::Literal> literals;
+      for (std::size_t k = 0; k < answer_bits_.size(); ++k)
+        literals.push_back({answer_bits_[k], bits_[static_cast<std::uint32_t>(i)][k]});
+      cubes_.push_back(game_.manager->cube(literals));
     }
-    step.goal =
-        next_goal(answer.met ? (key_.goal + 1) % goals_ : key_.goal, columns_.functions(step.columns));
-    step.future = future_of(step.future, step.goal);
-    return step;
+    return cubes_[bits];
   }
 
-  void step(const Walk& at) {
-    const Answer& answer = answer_to(at);
-    const Step reached = follow(at, answer);
-    relies_ = relies_ || answer.waits;
-    const auto [letter, added] =
-        output_letters_.try_emplace((std::uint64_t{answer.number} << 32) | reached.columns, 0U);
-    if (added)
-      letter->second = builder_.output_letter(output_of(answer, columns_.functions(reached.columns)));
-    add_row({paths_.letter(at.path, letter_, builder_), letter->second, reached.future, false}, reached.goal);
-  }
-
-  [[nodiscard]] model::Valuation output_of(const Answer& answer, const std::vector<Bdd>& shown) const {
-    model::Valuation output = answer.values;
-    for (std::size_t i = 0; i < game_.definitions.size(); ++i) output.push_back(shown[i].is_true() ? 1 : 0);
+  [[nodiscard]] model::Valuation output_of(std::uint32_t bits, const std::vector<bool>& shown) const {
+    model::Valuation output = values_of(bits_[bits]);
+    for (std::size_t i = 0; i < game_.definitions.size(); ++i) output.push_back(shown[i] ? 1 : 0);
     return output;
   }
 
   /// Goals that the new state meets are done; one that all states meet is as good as any.
-  [[nodiscard]] std::size_t next_goal(std::size_t goal, const std::vector<Bdd>& shown) const {
+  [[nodiscard]] std::size_t next_goal(std::size_t goal, const std::vector<bool>& shown) const {
     for (std::size_t i = 0; i < goals_; ++i) {
       const std::size_t candidate = (goal + i) % goals_;
-      if (!shown[game_.definitions.size() + candidate].is_true()) return candidate;
+      if (!shown[game_.definitions.size() + candidate]) return candidate;
     }
     return goal;
   }
 
-  /// \param row  Its `next` is the future that it leads to, not yet a state.
-  void add_row(model::Mealy::Transition row, std::size_t goal) {
+  void add_row(model::Mealy::Transition row, const Reaction& reaction) {
     count_row();
-    StateKey key{row.next, static_cast<std::uint32_t>(goal), 0};
+    StateKey key{reaction.future, reaction.goal, 0};
     const bool latching = options_.on_violation == OnViolation::Latch;
-    if (latching && !valid_inputs_.entails(state_.functions(row.next)[Legal]))
+    if (latching && !valid_inputs_.entails(state_.functions(key.future)[Legal]))
       key.observation = latch_.number(letter_);
     const auto [next, added] = states_.number(key);
     if (added) {
@@ -307,30 +318,27 @@ class Extractor {
 
   /// An answer that leads to a state that is there already, the one found first, keeps the machine small.
   /// Where none does, the least is taken: in the same situation always the same.
-  const Answer& answer_to(const Walk& at) {
-    std::vector<Answer>& known = answers_[at.state];
-    if (moore_ || first_step_) {
-      for (const Answer& answer : known)
-        if (first_step_ || std::equal(choice_.begin(), choice_.end(), answer.bits.begin())) return answer;
-      known.push_back(first_step_ ? first_answer(at.state) : later_answer(at.state, choice_));
-      known.back().number = answer_count_++;
-      return known.back();
-    }
-    if (known.empty()) list_answers(at.state, known);
-    if (known.size() == 1) return known.front();
-    const auto [choice, fresh] = choices_.try_emplace({at.state, at.future, key_.goal}, 0U);
-    if (fresh) choice->second = best_of(at, known);
-    return known[choice->second];
+  [[nodiscard]] Answer answer_to(const Situation& at) {
+    if (first_step_) return first_answer(at.left);
+    if (moore_) return later_answer(at.left, choice_);
+    std::vector<Answer>& known = answers_[at.left];
+    if (known.empty()) list_answers(at.left, known);
+    return known[known.size() == 1 ? 0 : best_of(at, known)];
   }
 
-  [[nodiscard]] std::uint32_t best_of(const Walk& at, const std::vector<Answer>& answers) {
+  /// Steps that were followed before are asked first: most often one of them does.
+  [[nodiscard]] std::uint32_t best_of(const Situation& at, const std::vector<Answer>& answers) {
     std::uint32_t best = 0, least = UINT32_MAX;
-    for (std::uint32_t i = 0; i < answers.size(); ++i) {
-      const Step reached = follow(at, answers[i]);
-      const auto state = states_.find({reached.future, static_cast<std::uint32_t>(reached.goal), 0});
-      if (!state || *state >= least) continue;
-      best = i;
-      least = *state;
+    for (const bool known : {true, false}) {
+      for (std::uint32_t i = 0; i < answers.size(); ++i) {
+        if (known && !keys_.contains(end_of(at, answers[i]))) continue;
+        const Step reached = follow(at, answers[i]);
+        const auto state = states_.find({reached.future, reached.goal, 0});
+        if (!state || *state >= least) continue;
+        best = i;
+        least = *state;
+      }
+      if (least != UINT32_MAX) break;
     }
     return best;
   }
@@ -338,57 +346,50 @@ class Extractor {
   /// In ascending order. Where a state may also depend on the observation, the first alone.
   void list_answers(Cofactors::Id state, std::vector<Answer>& answers) {
     const std::size_t most = options_.on_violation == OnViolation::Latch ? 1 : most_answers;
-    const std::vector<Bdd>& left = state_.functions(state);
+    const std::span<const Bdd> left = state_.functions(state);
     std::vector<bdd::Literal> memories;
     for (std::size_t i = 0; i < memory_bits_.size(); ++i)
       memories.push_back({memory_bits_[i], left[Updates + i].is_true()});
     bdd::Assignments moves(left[Moves].cofactor(game_.manager->cube(memories)), output_bits_);
-    while (answers.size() < most && moves.next()) {
+    while (answers.size() < most && moves.next())
       answers.push_back(later_answer(state, {moves.values().begin(), moves.values().end()}));
-      answers.back().number = answer_count_++;
-    }
     assert(!answers.empty());
   }
 
   /// Initial memories are chosen along, before the outputs.
-  [[nodiscard]] Answer first_answer(Cofactors::Id state) const {
+  [[nodiscard]] Answer first_answer(Cofactors::Id state) {
     std::vector<Var> bits = memory_bits_;
     bits.insert(bits.end(), output_bits_.begin(), output_bits_.end());
     std::vector<bool> picked = state_.functions(state)[Moves].pick(bits);
     std::rotate(picked.begin(), picked.begin() + static_cast<std::ptrdiff_t>(memory_bits_.size()),
                 picked.end());
-    return with_values({0, std::move(picked), {}, false, false});
+    return {bits_.number(std::move(picked)), false, false};
   }
 
-  [[nodiscard]] Answer later_answer(Cofactors::Id state, std::vector<bool> outputs) const {
-    const std::vector<Bdd>& left = state_.functions(state);
-    std::vector<bdd::Literal> literals;
-    Answer answer;
-    answer.bits = std::move(outputs);
-    for (std::size_t i = 0; i < output_bits_.size(); ++i)
-      literals.push_back({output_bits_[i], answer.bits[i]});
+  [[nodiscard]] Answer later_answer(Cofactors::Id state, std::vector<bool> bits) {
+    const std::span<const Bdd> left = state_.functions(state);
+    for (std::size_t i = 0; i < output_bits_.size(); ++i) assignment_[output_bits_[i]] = bits[i];
     for (std::size_t i = 0; i < memory_bits_.size(); ++i) {
-      answer.bits.push_back(left[Updates + i].is_true());
-      literals.push_back({memory_bits_[i], answer.bits.back()});
+      bits.push_back(left[Updates + i].is_true());
+      assignment_[memory_bits_[i]] = bits.back();
     }
-    const Bdd step = game_.manager->cube(literals);
-    answer.waits = !left[Waits].cofactor(step).is_false();
-    answer.met = !left[Met].cofactor(step).is_false();
-    return with_values(std::move(answer));
+    const bool waits = left[Waits].evaluate(assignment_), met = left[Met].evaluate(assignment_);
+    return {bits_.number(std::move(bits)), waits, met};
   }
 
-  [[nodiscard]] Answer with_values(Answer answer) const {
-    answer.values = lowest(game_, Owner::Output);
-    const std::size_t outputs = answer.values.size();
+  /// \param bits  Outputs, then memories.
+  [[nodiscard]] model::Valuation values_of(const std::vector<bool>& bits) const {
+    model::Valuation values = lowest(game_, Owner::Output);
+    const std::size_t outputs = values.size();
     const model::Valuation memories = lowest(game_, Owner::Memory);
-    answer.values.insert(answer.values.end(), memories.begin(), memories.end());
-    for (std::size_t i = 0; i < answer.bits.size(); ++i) {
-      if (!answer.bits[i]) continue;
+    values.insert(values.end(), memories.begin(), memories.end());
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+      if (!bits[i]) continue;
       const bool output = i < output_places_.size();
       const Place& place = output ? output_places_[i] : memory_places_[i - output_places_.size()];
-      answer.values[place.variable + (output ? 0 : outputs)] += place.weight;
+      values[place.variable + (output ? 0 : outputs)] += place.weight;
     }
-    return answer;
+    return values;
   }
 
   void add_assumptions() {
@@ -403,20 +404,24 @@ class Extractor {
   std::size_t goals_;
   std::vector<Place> input_places_, output_places_, memory_places_;
   std::vector<std::size_t> input_order_;
-  Cofactors state_;    ///< Over X': the future of one state.
-  Cofactors future_;   ///< Over X, Y, M: the futures, for all goals.
-  Cofactors columns_;  ///< Over X, Y, M: definitions, then goals without Next.
-  Cofactors::Id future_root_ = 0, columns_root_ = 0;
+  std::size_t updates_;
+  std::size_t columns_at_;  ///< In the vectors of future_.
+  Cofactors state_;         ///< Over X': the future of one state.
+  Cofactors future_;        ///< Over X: the futures of all goals, then definitions and goals without Next.
+  std::optional<Letters> letters_;
   std::vector<Var> output_bits_, memory_bits_;  ///< Next.
+  std::vector<Var> answer_bits_;                ///< Current: outputs, then memories.
   Bdd valid_inputs_;
-  std::unordered_map<std::uint64_t, Cofactors::Id> keys_;
+  std::vector<bool> assignment_;    ///< By variable, for evaluation.
+  Words bits_, columns_, choices_;  ///< Of answers; of definitions and goals; of Moore's outputs.
+  std::vector<Bdd> cubes_;          ///< By the number of an answer's bits.
+  std::unordered_map<std::uint64_t, std::uint32_t> columns_of_;  ///< After a future's inputs and an answer.
+  std::unordered_map<End, Cofactors::Id, EndHash> keys_;
   std::unordered_map<Cofactors::Id, std::vector<Answer>> answers_;
-  std::unordered_map<Situation, std::uint32_t, SituationHash> choices_;  ///< Among the answers of its state.
+  std::unordered_map<Situation, Reaction, SituationHash> reactions_;
   States states_;
-  std::uint32_t answer_count_ = 0;
   /// The builder's number for an answer and the columns that go with it.
   std::unordered_map<std::uint64_t, std::uint32_t> output_letters_;
-  LetterPaths paths_;
   model::MealyBuilder builder_;
   LatchRows latch_;
   std::uint64_t rows_ = 0;
@@ -427,6 +432,7 @@ class Extractor {
   StateKey key_;
   bool first_step_ = true;
   std::vector<bool> choice_;  ///< Moore: its answer.
+  std::uint32_t choice_number_ = 0;
   model::Valuation letter_;
 };
 
