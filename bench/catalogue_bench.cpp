@@ -1,5 +1,7 @@
 // From an OWL document to compiled recognition at any size, stage by stage. Usage: catalogue_bench [ENTITIES
-// FEATURES [SEED]], or catalogue_bench --write FILE ENTITIES FEATURES [SEED] for the document alone.
+// FEATURES [SEED]], or catalogue_bench --write FILE ENTITIES FEATURES [SEED] for the document alone, or
+// catalogue_bench --scenario FOLDER ENTITIES FEATURES [SEED] for a scenario: `heed synth` goes from there to
+// a certified controller.
 #include "generators/sign_catalogue.h"
 
 #include <heed/awareness/policy.h>
@@ -76,22 +78,26 @@ void measure(const bench::SignCatalogue& wanted) {
 
 int main(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
-  std::string file;
-  if (words.size() > 1 && words[0] == "--write") {
-    file = words[1];
+  std::string file, folder;
+  if (words.size() > 1 && (words[0] == "--write" || words[0] == "--scenario")) {
+    (words[0] == "--write" ? file : folder) = words[1];
     words.erase(words.begin(), words.begin() + 2);
   }
   bench::SignCatalogue wanted;
-  if (words.size() > 0) wanted.entities = std::strtoul(words[0].c_str(), nullptr, 10);
+  if (!words.empty()) wanted.entities = std::strtoul(words[0].c_str(), nullptr, 10);
   if (words.size() > 1) wanted.features = std::strtoul(words[1].c_str(), nullptr, 10);
   if (words.size() > 2) wanted.seed = std::strtoull(words[2].c_str(), nullptr, 10);
   if (wanted.entities < 20 || wanted.features < 60) {
-    fmt::print(stderr,
-               "usage: catalogue_bench [--write FILE] [ENTITIES (from 20) FEATURES (from 60) [SEED]]\n");
+    fmt::print(
+        stderr,
+        "usage: catalogue_bench [--write FILE|--scenario FOLDER] [ENTITIES (from 20) FEATURES (from 60) "
+        "[SEED]]\n");
     return 2;
   }
-  if (file.empty())
-    measure(wanted);
-  else
+  if (!folder.empty())
+    fmt::print("{}\n", bench::write_scenario(wanted, folder));
+  else if (!file.empty())
     util::write_file(file, bench::write_catalogue(wanted));
+  else
+    measure(wanted);
 }

@@ -1,7 +1,11 @@
 #include "sign_catalogue.h"
 
-#include <fmt/format.h>
+#include "parts_scenario.h"
 
+#include <fmt/format.h>
+#include <heed/util/file.h>
+
+#include <filesystem>
 #include <set>
 #include <vector>
 
@@ -110,6 +114,26 @@ class Writer {
 
 std::string write_catalogue(const SignCatalogue& wanted) {
   return Writer(wanted).write();
+}
+
+std::string write_scenario(const SignCatalogue& wanted, const std::string& folder) {
+  std::string text =
+      "[knowledge]\nontology = \"catalogue.ofn\"\nentities = [\"Sign\"]\nfeatures = [\"Feature\"]\n"
+      "behaviours = [\"Behaviour\"]\nfeature_roles = [\"hasFeature\"]\naction_roles = [\"hasAction\"]\n\n"
+      "[perception]\ninputs = [\n  { name = \"sign\", what = \"Sign\" },\n";
+  for (const char* role : {"hasShape", "hasGroundColour", "hasBorderColour", "hasText", "hasSymbol"})
+    text += fmt::format("  {{ what = \"{}\" }},\n", role);
+  text +=
+      "]\n\n[plant]\nfts = \"car.fts\"\ninitial = [\"M0\"]\n\n"
+      "[task]\nguarantees = [\"GF location = 0\", \"GF location != 0\"]\n\n"
+      "[bind]\nonly_when_prescribed = true\nHalt = \"stopping\"\n\n"
+      "[[controller]]\nname = \"definition\"\npolicy = \"definition\"\n\n"
+      "[[controller]]\nname = \"common\"\npolicy = \"identifying\"\nbehaviours = \"common\"\nclosed = true\n";
+  std::filesystem::create_directories(folder);
+  util::write_file(folder + "/catalogue.ofn", write_catalogue(wanted));
+  util::write_file(folder + "/car.fts", plant_text({}));
+  util::write_file(folder + "/scenario.toml", text);
+  return folder + "/scenario.toml";
 }
 
 }  // namespace heed::bench

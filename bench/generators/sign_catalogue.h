@@ -18,4 +18,10 @@ struct SignCatalogue {
 /// OWL in functional style. The same bytes for the same values, everywhere.
 [[nodiscard]] std::string write_catalogue(const SignCatalogue& wanted);
 
+/// Writes `catalogue.ofn`, `car.fts` (five cells) and `scenario.toml` into \p folder, which is made when
+/// missing: the values of each functional role are one input, and halting is stopping. Controllers:
+/// `definition`, and `common` of a closed catalogue. \returns the path of the scenario. \throws
+/// util::InputError  the folder cannot be written
+std::string write_scenario(const SignCatalogue& wanted, const std::string& folder);
+
 }  // namespace heed::bench

@@ -78,13 +78,21 @@ class RuleMaker {
     return substitution.empty() ? relation : relation.compose(substitution);
   }
 
+  /// Of winning states: the same as \p states, without what was seen where that is no news. Where the state
+  /// after a step must fit what was seen before it, every set of winning states speaks of that, and relations
+  /// between two steps would hold what is seen twice.
+  [[nodiscard]] Bdd told_by_memory(const Bdd& states) const {
+    const Bdd seen_or_not = states.exists(game_.inputs);
+    return (seen_or_not & region_.winning) == states ? seen_or_not : states;
+  }
+
   template <typename Visit>
   void each_rank(const Visit& visit) {
     Bdd below = never_;
     for (std::size_t k = 0; k < region_.ranks[goal_].size(); ++k) {
       budget_.check();
       const Bdd& upto = region_.ranks[goal_][k];
-      visit(k, upto.minus(below), below);
+      visit(k, told_by_memory(upto.minus(below)), below);
       below = upto;
     }
   }
