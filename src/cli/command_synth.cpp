@@ -1,9 +1,11 @@
 #include "commands.h"
+#include "inputs.h"
 #include "output.h"
 
 #include <heed/certify/certify.h>
 #include <heed/check/verify.h>
 #include <heed/game/techniques.h>
+#include <heed/job/controller.h>
 #include <heed/model/mealy.h>
 #include <heed/model/symbolic.h>
 #include <heed/spec/dialect.h>
@@ -19,8 +21,25 @@
 namespace heed::cli {
 namespace {
 
-spec::Gr1 load_spec(const std::string& path, const util::Limits& limits) {
-  return spec::read_any(util::read_file(path, limits), limits);
+/// The file, or what one controller of a scenario is to keep, as `heed spec --gr1` prints it.
+spec::Gr1 load_spec(const Arguments& arguments, util::Budget& budget) {
+  const std::string& path = arguments.operands().front();
+  const util::Limits limits = arguments.limits();
+  if (!is_scenario(path)) {
+    if (arguments.has("--controller"))
+      throw UsageError("--controller: a specification has one only", "it is for scenarios (.toml)");
+    return spec::read_any(util::read_file(path, limits), limits);
+  }
+  const job::Scenario scenario = load_scenario(arguments);
+  const auto chosen = chosen_controllers(arguments, scenario);
+  if (chosen.size() != 1) {
+    std::vector<std::string> names;
+    for (const job::ControllerPart* part : chosen) names.push_back(part->name.text);
+    throw UsageError(fmt::format("{} has {} controllers", path, chosen.size()),
+                     fmt::format("say which: --controller {}", fmt::join(names, "|")));
+  }
+  const job::World world = job::load_world(scenario, limits, budget);
+  return job::design(scenario, world, *chosen.front()).composed.spec;
 }
 
 strategy::Form form(const Arguments& arguments) {
@@ -176,11 +195,10 @@ void report_text(const strategy::Result& result, const certify::Verdict& certifi
 }  // namespace
 
 int synth_command(const Arguments& arguments) {
-  const util::Limits limits = arguments.limits();
-  util::Budget budget(limits);
+  util::Budget budget(arguments.limits());
   (void)verdict_code(arguments, true);  // a wrong style is said before the work
   const strategy::Options options = synthesis_options(arguments);
-  const spec::Gr1 spec = load_spec(arguments.operands().front(), limits);
+  const spec::Gr1 spec = load_spec(arguments, budget);
   const strategy::Result result = strategy::synthesize(spec, budget, options);
   insist_on_verified(result, spec, budget);
   const certify::Verdict certified = certificate(result, spec, budget);

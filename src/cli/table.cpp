@@ -28,6 +28,7 @@ const Option threads_option{"--threads", "N", "1", "1 ... 256",
 
 const std::vector<Option> synth_options{
     {"--output", "FILE", "standard output", "", "Where the controller goes"},
+    {"--controller", "NAME", "the only one", "", "Of a scenario: which controller"},
     {"--realizability", "", "", "", "Only ask: print REALIZABLE or UNREALIZABLE"},
     {"--strategy", "FORM", "auto", "explicit|symbolic|auto",
      "A machine listed state by state, or functions (docs/formats/symbolic.md)"},
@@ -110,7 +111,7 @@ std::vector<Command> controller_commands() {
   return {
       {"synth",
        "Synthesize a controller from a specification",
-       {{"SPEC", "Specification: .gr1, .slugsin, .structuredslugs or gr1c's .spc"}},
+       {{"SPEC", "Specification: .gr1, .slugsin, .structuredslugs or gr1c's .spc; or a scenario"}},
        synth_options,
        "heed synth out/stop-sign/awareness.gr1 -o awareness.controller.json",
        synth_command},

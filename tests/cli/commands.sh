@@ -82,6 +82,11 @@ cp "$work/out" "$work/symbolic.out"
 check 'exec of the explicit one' exits 0 "$heed" exec "$work/tree.json" <"$work/in"
 check 'recognises the same' test "$(sed 's/"action".*//' "$work/out")" = "$(sed 's/"action".*//' "$work/symbolic.out")"
 printf '[input]\nr : boolean\n[output]\ng : boolean\n[sys justice]\ng & r\n' >"$work/lost.gr1"
+check 'synth of a scenario' exits 0 "$heed" synth "$scenario" --controller awareness --strategy symbolic --certify -o "$work/awareness.symbolic.json"
+check 'is what spec --gr1 prints' exits 0 "$heed" verify "$work/awareness.symbolic.json" "$work/run/awareness.gr1"
+check 'synth of a scenario asks which' exits 2 "$heed" synth "$scenario"
+check 'and names them' warns '--controller base|tree|awareness|tree-or-full'
+check 'synth of a file has no controllers' exits 2 "$heed" synth "$work/tree.gr1" --controller tree
 check 'an unrealizable one is certified' exits 1 "$heed" synth "$work/lost.gr1" --certify --json
 check 'certificate in JSON' node -e 'process.exit(JSON.parse(require("fs").readFileSync(process.argv[1])).certificate.verdict === "VERIFIED" ? 0 : 1)' "$work/out"
 check 'verify' exits 0 "$heed" verify "$work/tree.json" "$work/tree.gr1"
