@@ -195,7 +195,7 @@ std::vector<Explanation> explain_asked(const Arguments& arguments, util::Budget&
   job::Knowledge knowledge = job::load_knowledge(part, arguments.limits(), budget);
   const awareness::Catalogue& catalogue = knowledge.catalogue;
   if (is_scenario(arguments.operands().front()))
-    job::judge_perception(load_scenario(arguments).perception, knowledge, notes);
+    job::judge_scenario(load_scenario(arguments), knowledge, notes);
   if (!arguments.json()) print_diagnostics(notes);
   if (what.empty()) return justified(arguments, catalogue, budget, explain_warnings(catalogue));
   if (auto named = explain_name(catalogue, what))

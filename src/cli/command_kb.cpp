@@ -210,7 +210,7 @@ int kb_command(const Arguments& arguments) {
   const job::KnowledgePart part = knowledge_part(arguments, budget, notes);
   job::Knowledge knowledge = job::load_knowledge(part, arguments.limits(), budget);
   if (is_scenario(arguments.operands().front()))
-    job::judge_perception(load_scenario(arguments).perception, knowledge, notes);
+    job::judge_scenario(load_scenario(arguments), knowledge, notes);
   const auto second = second_opinion(arguments.text("--reasoner", "own"), knowledge, budget);
   if (arguments.json()) {
     Json out = document(knowledge);

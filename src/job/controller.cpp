@@ -200,17 +200,6 @@ awareness::Perception perceive(const PerceptionPart& part, const awareness::Cata
   return awareness::resolve_perception(catalogue, perception_options(part, catalogue));
 }
 
-void judge_perception(const PerceptionPart& perception, Knowledge& knowledge, util::Diagnostics& notes) {
-  try {
-    const auto perceived = perceive(perception, knowledge.catalogue);
-    for (awareness::Warning& warning : awareness::judge_perception(knowledge.catalogue, perceived))
-      knowledge.catalogue.warnings.push_back(std::move(warning));
-  } catch (const util::InputError& error) {
-    notes.push_back(error.diagnostic());
-    notes.back().severity = util::Severity::Warning;
-  }
-}
-
 awareness::Recognition recognise(const ControllerPart& part, const awareness::Catalogue& catalogue,
                                  const awareness::Perception& perception) {
   return awareness::compile_policy(catalogue, perception, policy_options(part));

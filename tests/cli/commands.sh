@@ -45,6 +45,8 @@ check 'justifies what it prescribes' says 'justification 1 of 1'
 check 'kb of a scenario' exits 0 "$heed" kb "$scenario" --quiet
 check 'names the symbol that excludes less than it could' says "'hasShape Octagon' would rule out 52 entities more"
 check 'and says how' says 'hint: report what = "hasShape Octagon"'
+check 'and what is bound to nothing' says "bound to nothing of the plant: 'follow the direction', 'be alert'"
+check 'with what prescribes it' says 'bus stop SubClassOf prescribes some be alert'
 check 'which is done here' exits 0 "$heed" kb examples/stop-sign/policies.toml --evidence
 check 'so nothing is said' test -z "$(grep excludes-less "$work/out")"
 check 'kb --evidence says what controllers do' says "'at-least-2': never recognised; slow down on sign; nothing on red; halt (X stopping), give way on all of it"
