@@ -1,6 +1,7 @@
 #include "commands.h"
 #include "evidence.h"
 #include "inputs.h"
+#include "left_out.h"
 #include "output.h"
 #include "second_opinion.h"
 
@@ -114,11 +115,7 @@ std::string text(const job::Knowledge& knowledge, bool only_warnings) {
   }
   out += fmt::format("Warnings: {}\n", catalogue.warnings.size());
   for (const awareness::Warning& warning : catalogue.warnings) out += warning_text(catalogue, warning);
-  const auto& dropped = knowledge.reasoner->incomplete();
-  if (!dropped.empty()) out += fmt::format("\nLeft out: {} axioms are not used in full\n", dropped.size());
-  for (const dl::Dropped& item : dropped)
-    out += fmt::format("- {} ({}): {}\n", owl::to_string(item.axiom),
-                       util::to_string(knowledge.ontology.axiom(item.axiom).location), item.why);
+  out += LeftOut(knowledge).text();
   return out;
 }
 
@@ -161,6 +158,11 @@ Json document(const job::Knowledge& knowledge) {
   out["entities"] = Json::array();
   for (std::size_t e = 0; e < catalogue.entities.size(); ++e)
     out["entities"].push_back(entity_json(catalogue, e));
+  const LeftOut left_out(knowledge);
+  out["left_out"] = left_out.json();
+  if (!out["left_out"].empty())
+    for (std::size_t e = 0; e < catalogue.entities.size(); ++e)
+      out["entities"][e]["left_out"] = left_out.json(e);
   out["features"] = Json::array();
   for (const awareness::Feature& feature : catalogue.features) {
     Json one;

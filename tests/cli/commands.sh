@@ -42,6 +42,23 @@ check 'lists them, short ones first' node -e '
   process.exit(sorted && steps.every(s => s.complete) && sizes.some(list => list.length === 4) ? 0 : 1)' "$work/out"
 check 'explain --all of a reaction' exits 0 "$heed" explain "$scenario" Halt --controller awareness --seen sign,red --all
 check 'justifies what it prescribes' says 'justification 1 of 1'
+cat >"$work/union.ofn" <<'ONTOLOGY'
+Prefix(:=<http://example.org/u#>)
+Ontology(<http://example.org/u>
+SubClassOf(:Bike :Vehicle) SubClassOf(:EBike :Bike) SubClassOf(:Car :Vehicle)
+SubClassOf(:Bike ObjectSomeValuesFrom(:has :Small)) SubClassOf(:Small :Look)
+SubClassOf(:Bike ObjectMaxCardinality(3 :has :Look)) SubClassOf(:Car ObjectSomeValuesFrom(:does :Go)) SubClassOf(:Go :Act)
+)
+ONTOLOGY
+roots=(--entities Vehicle --features Look --behaviours Act --feature-roles has --action-roles does)
+check 'kb tells what was left out' exits 0 "$heed" kb "$work/union.ofn" "${roots[@]}" --quiet
+check 'and which classes it touches' says 'a number restriction other than `max 0`, `max 1` and `min 1`; it touches Bike, Look'
+check 'and of which entities more may be true' test "$(grep -A 9 'more may be true' "$work/out" | tail -n +2)" = "$(printf '  Bike: a6\n  EBike: a6')"
+check 'kb tells so in JSON' exits 0 "$heed" kb "$work/union.ofn" "${roots[@]}" --json
+check 'per axiom and per entity' node -e '
+  const kb = JSON.parse(require("fs").readFileSync(process.argv[1]));
+  const touched = kb.entities.filter(e => e.left_out.includes(kb.left_out[0].axiom)).map(e => e.label).sort();
+  process.exit(kb.left_out[0].touches.join() === "Bike,Look" && touched.join() === "Bike,EBike" ? 0 : 1)' "$work/out"
 check 'kb of a scenario' exits 0 "$heed" kb "$scenario" --quiet
 check 'names the symbol that excludes less than it could' says "'hasShape Octagon' would rule out 52 entities more"
 check 'and says how' says 'hint: report what = "hasShape Octagon"'

@@ -25,9 +25,9 @@ struct Knowledge {
 [[nodiscard]] Knowledge load_knowledge(const KnowledgePart& part, const util::Limits& limits,
                                        util::Budget& budget);
 
-/// Adds to the catalogue's warnings what is to be said of how a scenario uses it: symbols that exclude less than
-/// they could, behaviours that are prescribed and bound to nothing. What of the scenario does not fit the
-/// catalogue is said in \p notes instead.
+/// Adds to the catalogue's warnings what is to be said of how a scenario uses it: symbols that exclude less
+/// than they could, behaviours that are prescribed and bound to nothing. What of the scenario does not fit
+/// the catalogue is said in \p notes instead.
 void judge_scenario(const Scenario& scenario, Knowledge& knowledge, util::Diagnostics& notes);
 
 /// The part for an ontology that comes without a scenario: roots and roles are read off its structure (a role
