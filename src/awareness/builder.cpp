@@ -28,6 +28,7 @@ Catalogue Builder::build() {
   add_behaviours();
   relate_behaviours();
   assign_behaviours();
+  refuse_empty();
   settle_atoms(catalogue_);
   find_exclusive();
   note_individuals();

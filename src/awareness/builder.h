@@ -39,6 +39,7 @@ class Builder {
   [[nodiscard]] std::vector<owl::Iri> resolve_roles(const std::vector<Name>& names) const;
   [[nodiscard]] bool role_counts(owl::Iri role, const std::vector<owl::Iri>& listed) const;
   void resolve_options();
+  void refuse_empty() const;
 
   // entities.cpp
   void add_entities();

@@ -1,6 +1,8 @@
 #include "builder.h"
 #include "lookup.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace heed::awareness {
@@ -92,6 +94,30 @@ void Builder::resolve_options() {
   behaviours_ = resolve_scope(options_.behaviours);
   feature_roles_ = resolve_roles(options_.feature_roles);
   action_roles_ = resolve_roles(options_.action_roles);
+}
+
+/// A root alone is a catalogue of one where something is said of it; otherwise it is a wrong root.
+void Builder::refuse_empty() const {
+  const auto said_of = [&](const Entity& entity) {
+    return !entity.behaviours.empty() ||
+           std::any_of(entity.features.begin(), entity.features.end(),
+                       [&](const Entailed& has) { return !catalogue_.features[has.index].entity; });
+  };
+  const auto& all = catalogue_.entities;
+  const std::set<owl::Iri> roots(entities_.roots.begin(), entities_.roots.end());
+  if (std::any_of(all.begin(), all.end(),
+                  [&](const Entity& e) { return !roots.contains(e.iri) || said_of(e); }))
+    return;
+  std::vector<std::string> described;
+  for (const auto& [holder, bindings] : told_.bindings)
+    if (!features_.contains(holder) && !behaviours_.contains(holder))
+      described.emplace_back(ontology().local_name(holder));
+  throw util::InputError(
+      options_.entities.front().location, "no-entities",
+      fmt::format("nothing stands below '{}', and nothing is said of it", options_.entities.front().text),
+      described.empty()
+          ? "name the class above the things that are to be recognised"
+          : "name what is above those of which something is said; " + util::suggestion("", described));
 }
 
 }  // namespace heed::awareness

@@ -72,6 +72,24 @@ TEST(Warnings, NecessaryConditionsAloneAreNeverRecognised) {
   EXPECT_TRUE(warnings_with(declared, "never-recognised").empty());
 }
 
+TEST(Warnings, ARootWithNothingBelowItIsRefusedUnlessSomethingIsSaidOfIt) {
+  CatalogueOptions options = small_options();
+  util::Location here;
+  here.line = 3;
+  options.entities = {Name("Alone", here)};
+  const std::string others = defined("Ball", has("Round"));
+  try {
+    (void)build(others + ":Alone a owl:Class .\n", options);
+    FAIL() << "there is nothing to recognise";
+  } catch (const util::InputError& error) {
+    EXPECT_EQ(error.diagnostic().code, "no-entities");
+    EXPECT_EQ(error.diagnostic().location.line, 3U);
+    EXPECT_THAT(error.diagnostic().hint, HasSubstr("Ball"));
+  }
+  EXPECT_EQ(build(others + sub("Alone", has("Round")), options).entities.size(), 1U);
+  EXPECT_EQ(build(others + sub("Alone", does("Go")), options).entities.size(), 1U);
+}
+
 TEST(Warnings, SufficiencyIsRefusedWhereItWouldSwallowAnother) {
   CatalogueOptions options = small_options();
   options.sufficient = true;
