@@ -70,6 +70,15 @@ std::string figure_text(const sim::Figure& figure) {
   return fmt::format("{:>8}  {:<20}", sim::decimal(*figure.exact, 6), exact.size() > most ? "" : exact);
 }
 
+Json reaction_json(const sim::LumpedOutcome& figures) {
+  const sim::ReactionDistance distance = sim::reaction_distance(figures);
+  Json out;
+  add_figure(distance.mean, out["mean"]);
+  out["when_it_reacts"] = nullptr;
+  if (distance.when_it_reacts) add_figure(*distance.when_it_reacts, out["when_it_reacts"] = Json::object());
+  return out;
+}
+
 Json lumps_json(const sim::Lumps& lumps) {
   return {{"components", lumps.components},
           {"groups", lumps.groups},
@@ -110,6 +119,9 @@ std::string evaluation_text(const job::Evaluation& found) {
     }
     out += '\n';
   }
+  const sim::ReactionDistance distance = sim::reaction_distance(found.figures);
+  out += fmt::format("  {:<14} {} on average, 0 where it does not react\n", "cells left",
+                     figure_text(distance.mean));
   const sim::Figure& undefined = found.figures.undefined;
   if (undefined.value > 0) out += fmt::format("  {:<14} {}\n", "no answer", figure_text(undefined));
   return out;
@@ -249,6 +261,7 @@ void simulate_controller(const Arguments& arguments, const Setting& setting, con
     one["profile"] = profile->spec.name;
     one["traces"] = found.sampled.traces;
     one["outcomes"] = evaluation_json(found);
+    one["reaction"] = reaction_json(found.figures);
     Json undefined;
     add_figure(found.figures.undefined, undefined);
     one["no_answer"] = undefined["exact"].is_null() ? undefined["value"] : undefined["exact"];

@@ -63,7 +63,7 @@ bool among(const awareness::Catalogue& catalogue, std::size_t entity, const std:
 }  // namespace
 
 report::Number number(const sim::Rational& value) {
-  return {sim::fraction(value), sim::to_double(value), 0};
+  return number(sim::known(value));
 }
 
 report::Number number(const sim::Figure& figure) {
@@ -71,6 +71,21 @@ report::Number number(const sim::Figure& figure) {
   std::string exact = figure.exact ? sim::fraction(*figure.exact) : std::string();
   if (!figure.exact || exact.size() > most_characters) return {"", figure.value, figure.error};
   return {std::move(exact), figure.value, 0};
+}
+
+std::string describe_road(const World& world, const RoadPart& road) {
+  const awareness::Catalogue& catalogue = world.knowledge.catalogue;
+  std::string out;
+  for (const auto& place : road.places)
+    for (const RoadShare& share : place) {
+      std::string thing = share.thing.text == "none" ? "nothing" : "any one of the catalogue";
+      if (share.thing.text != "none" && share.thing.text != "any")
+        thing = catalogue.entities[catalogue.entity(awareness::Name(share.thing.text, share.thing.location))]
+                    .label;
+      out += (out.empty() ? "" : ", ") + thing;
+      if (place.size() > 1) out += " with probability " + sim::fraction(share.probability);
+    }
+  return out;
 }
 
 report::Ontology describe_ontology(const Scenario& scenario, const World& world,

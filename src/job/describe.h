@@ -13,6 +13,8 @@ namespace heed::job {
 [[nodiscard]] std::vector<report::SpecificationSection> describe_specification(const spec::Gr1& spec);
 [[nodiscard]] report::Controller describe_controller(const World& world, const ControllerPart& part,
                                                      const Design& design, const Synthesized& synthesized);
+/// "stop 1/10, nothing 9/10", or in order "stop, nothing".
+[[nodiscard]] std::string describe_road(const World& world, const RoadPart& road);
 [[nodiscard]] report::CatalogueEntry describe_entity(const Scenario& scenario, const World& world,
                                                      std::size_t entity);
 [[nodiscard]] std::vector<std::string> describe_method(const Scenario& scenario, const World& world);

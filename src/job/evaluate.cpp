@@ -1,6 +1,7 @@
 #include "letters.h"
 
 #include <heed/job/evaluate.h>
+#include <heed/job/road.h>
 #include <heed/logic/parse.h>
 #include <heed/spec/compose.h>
 #include <heed/util/diagnostic.h>
@@ -168,6 +169,8 @@ void check_evaluate(const Scenario& scenario, const World& world, const Design& 
   shell.outputs = spec::controller_outputs(design.composed.spec);
   for (const logic::Formula& formula : judged(*scenario.evaluate)) refuse_temporal(formula);
   (void)make_judge(scenario, world, shell, false);
+  if (scenario.evaluate->conflict) refuse_temporal(scenario.evaluate->conflict->formula);
+  (void)conflicts_of(scenario, world, shell);
 }
 
 sim::Judge make_judge(const Scenario& scenario, const World& world, const model::Mealy& machine,
@@ -275,6 +278,7 @@ sim::LumpedOutcome as_figures(const sim::ExactOutcome& exact) {
   figures.undefined = sim::known(exact.undefined);
   figures.missing = sim::known(exact.missing);
   figures.fallback = sim::known(exact.fallback);
+  for (const sim::Rational& p : exact.event_at) figures.event_at.push_back(sim::known(p));
   figures.exact = true;
   return figures;
 }
@@ -286,6 +290,7 @@ sim::ExactOutcome as_fractions(const sim::LumpedOutcome& figures) {
   exact.undefined = *figures.undefined.exact;
   exact.missing = *figures.missing.exact;
   exact.fallback = *figures.fallback.exact;
+  for (const sim::Figure& p : figures.event_at) exact.event_at.push_back(*p.exact);
   return exact;
 }
 

@@ -4,6 +4,7 @@
 
 #include <heed/job/clashes.h>
 #include <heed/job/evaluate.h>
+#include <heed/job/road.h>
 #include <heed/job/run.h>
 #include <heed/job/version.h>
 #include <heed/report/write.h>
@@ -75,6 +76,7 @@ class Job {
     const std::clock_t cpu = std::clock();
     world_ =
         stages_("read and classify", 0, [&] { return load_world(scenario_, budget_.limits(), budget_); });
+    check_roads(scenario_, world_);
     fill_frame();
     add_notes(impossible_values(scenario_, world_.plant));
     for (const ControllerPart& part : scenario_.controllers) make_controller(part);
@@ -192,6 +194,8 @@ class Job {
               stages_("evaluate", 0.6, [&] { return chart(profile, candidate, entity); }));
     }
     stages_("drive past the catalogue", 0.8, [&] { return drive_past_everything(), 0; });
+    for (const RoadPart& road : scenario_.roads)
+      stages_("drive along roads", 0.9, [&] { return drive_along(road), 0; });
     if (scenario_.evaluate->speed_wanted && !result_.charts.empty()) fill_speed(entity);
   }
 
@@ -221,6 +225,12 @@ class Job {
       chart.p_value = test.p_value;
     }
     note_violations(profile, candidate, found.figures);
+    const sim::ReactionDistance distance = sim::reaction_distance(found.figures);
+    chart.reaction = number(distance.mean);
+    if (distance.when_it_reacts) chart.reaction_when_it_reacts = number(*distance.when_it_reacts);
+    if (found.exact.probability.size() == found.categories.size())
+      chart.conflict =
+          maybe(conflict_probability(scenario_, world_, profile, *candidate.machine, entity, budget_));
     return chart;
   }
 
@@ -282,6 +292,31 @@ class Job {
     if (!entry.prescribes_halt && !entry.prescribes_give_way)
       encounter.needless = number(complement(never + figures.undefined));
     return encounter;
+  }
+
+  static std::optional<report::Number> maybe(const std::optional<sim::Rational>& value) {
+    return value ? std::optional(number(*value)) : std::nullopt;
+  }
+
+  void drive_along(const RoadPart& road) {
+    report::Road described{road.name.text, road.title, describe_road(world_, road), road.length};
+    for (const ProfilePart& profile : scenario_.profiles)
+      for (const Candidate& candidate : candidates_) {
+        if (!candidate.machine) continue;
+        const RoadEvaluation found =
+            evaluate_road(scenario_, world_, profile, road, *candidate.machine, budget_);
+        report::Drive drive{profile.spec.name, candidate.part->name.text, number(found.needless),
+                            number(found.misses)};
+        drive.conflict = maybe(found.conflict);
+        drive.no_answer = number(found.missing);
+        if (found.long_run) {
+          drive.long_needless = number(found.long_run->needless);
+          drive.long_misses = number(found.long_run->misses);
+          drive.long_conflicts = maybe(found.long_run->conflicts);
+        }
+        described.drives.push_back(std::move(drive));
+      }
+    result_.roads.push_back(std::move(described));
   }
 
   void fill_speed(std::size_t entity) {

@@ -203,6 +203,7 @@ EvaluatePart read_evaluate(TomlTable table, const util::Limits& limits) {
                  util::suggestion(miss->text, labels));
     part.miss = static_cast<std::size_t>(found - part.outcomes.begin());
   }
+  if (table.has("conflict")) part.conflict = read_formula(table.source("conflict"), limits);
   part.thing = table.text("thing", part.thing);
   part.kind = table.text("kind", part.kind);
   part.approached = table.optional_word("approached");
@@ -233,7 +234,7 @@ Scenario read_scenario(const util::SourceText& source, const util::Limits& limit
   const toml::table parsed = parse_toml(source);
   TomlTable root(parsed, std::make_shared<const std::string>(source.name()), "");
   root.allow({"name", "description", "knowledge", "perception", "plant", "task", "bind", "controller",
-              "profile", "evaluate"});
+              "profile", "evaluate", "road"});
   Scenario scenario;
   scenario.path = source.name();
   scenario.name = root.text("name", std::filesystem::path(source.name()).stem().string());
@@ -264,6 +265,15 @@ Scenario read_scenario(const util::SourceText& source, const util::Limits& limit
     throw util::InputError(scenario.profiles.front().spec.location, "missing-key",
                            "a [[profile]] needs [evaluate] to say what counts",
                            "add [evaluate] with event and outcomes");
+  for (TomlTable& table : root.tables("road")) {
+    RoadPart part = read_road(table);
+    refuse_twice<RoadPart>(scenario.roads, part, [](const RoadPart& p) -> const Word& { return p.name; });
+    scenario.roads.push_back(std::move(part));
+  }
+  if (!scenario.roads.empty() && scenario.profiles.empty())
+    throw util::InputError(scenario.roads.front().name.location, "missing-key",
+                           "a [[road]] needs a [[profile]] to say what is seen along it",
+                           "add [[profile]] and [evaluate]");
   root.finish();
   return scenario;
 }

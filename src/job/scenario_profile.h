@@ -9,4 +9,8 @@ namespace heed::job {
 /// One `[[profile]]` (docs/formats/profile.md); sim::compile() checks what it means. \throws util::InputError
 [[nodiscard]] ProfilePart read_profile(TomlTable& table, const util::Limits& limits);
 
+/// One `[[road]]` (docs/formats/scenario.md); which things there are is checked by evaluate_road(). \throws
+/// util::InputError
+[[nodiscard]] RoadPart read_road(TomlTable& table);
+
 }  // namespace heed::job

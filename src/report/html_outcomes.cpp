@@ -55,6 +55,17 @@ void write_cell(Markup& page, const Chart& chart, std::size_t index, const std::
   page.element("td", "–", {{"class", "n"}});
 }
 
+/// How many cells are left on average when the controller reacts.
+void write_reaction(Markup& page, const Chart& chart, std::size_t index) {
+  if (!chart.reaction) return;
+  const auto cell =
+      page.scope("td", with_data({{"class", "n"}}, fmt::format("/charts/{}/reaction/mean/value", index),
+                                 chart.reaction->value));
+  page.text(fixed(chart.reaction->value, 2));
+  if (chart.reaction->exact.find('/') != std::string::npos)
+    page.element("span", chart.reaction->exact, {{"class", "exact"}});
+}
+
 /// The profile's name stands once, over all its controllers.
 void write_profile_name(Markup& page, const RunResult& result, std::size_t index) {
   const std::string& profile = result.charts[index].profile;
@@ -74,6 +85,7 @@ void write_row(Markup& page, const RunResult& result, std::size_t index,
     write_name(page, result, chart.controller, title_of(result, chart.controller));
   }
   for (const std::string& label : labels) write_cell(page, chart, index, label);
+  write_reaction(page, chart, index);
   if (chart.traces == 0) {
     page.element("td", "not sampled", {{"class", "n"}});
     return;
@@ -94,9 +106,11 @@ std::string traces_per_chart(const RunResult& result) {
 
 void write_outcomes(Markup& page, const RunResult& result) {
   if (result.charts.empty()) return;
-  const auto part = section(page, "outcomes", "How the approaches end",
-                            "Bars are exact probabilities. “Stop in n”: the sign is known with n cells left "
-                            "to brake in; infeasible: too late or never.");
+  const auto part =
+      section(page, "outcomes", "How the approaches end",
+              "Bars are exact probabilities. “Stop in n”: the sign is known with n cells left "
+              "to brake in; infeasible: too late or never. “Cells left” is the expected distance of "
+              "the reaction, counting 0 where there is none: the more, the more gently the car brakes.");
   write_legend(page, result);
   {
     const auto charts = page.scope("div", {{"class", "charts"}});
@@ -115,6 +129,7 @@ void write_outcomes(Markup& page, const RunResult& result) {
     page.element("th", "Profile", {{"scope", "col"}});
     page.element("th", "Controller", {{"scope", "col"}});
     for (const std::string& label : labels) page.element("th", label, {{"scope", "col"}, {"class", "n"}});
+    if (result.charts.front().reaction) page.element("th", "Cells left", {{"scope", "col"}, {"class", "n"}});
     page.element("th", "p", {{"scope", "col"}, {"class", "n"}});
   }
   const auto body = page.scope("tbody");

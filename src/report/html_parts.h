@@ -21,6 +21,7 @@ void write_controllers(Markup& page, const RunResult& result);
 void write_outcomes(Markup& page, const RunResult& result);
 void write_speed(Markup& page, const RunResult& result);
 void write_catalogue(Markup& page, const RunResult& result);
+void write_roads(Markup& page, const RunResult& result);
 void write_method(Markup& page, const RunResult& result);
 void write_timings(Markup& page, const RunResult& result);
 

@@ -126,6 +126,10 @@ struct Document {
     }
     Json value = {{"profile", chart.profile}, {"controller", chart.controller}, {"traces", chart.traces}};
     value["bars"] = std::move(bars);
+    if (chart.reaction)
+      value["reaction"] = {{"mean", to_value(chart.reaction)},
+                           {"when_it_reacts", to_value(chart.reaction_when_it_reacts)}};
+    if (chart.conflict) value["conflict"] = to_value(chart.conflict);
     if (chart.traces > 0)
       value["chi_square"] = {{"statistic", chart.chi_square},
                              {"degrees_of_freedom", chart.degrees_of_freedom},
@@ -139,6 +143,27 @@ struct Document {
             {"stop", to_value(encounter.stop)},
             {"miss", to_value(encounter.miss)},
             {"needless", to_value(encounter.needless)}};
+  }
+
+  static Json to_value(const Drive& drive) {
+    return {{"profile", drive.profile},
+            {"controller", drive.controller},
+            {"needless", to_value(drive.needless)},
+            {"misses", to_value(drive.misses)},
+            {"conflict", to_value(drive.conflict)},
+            {"no_answer", to_value(drive.no_answer)},
+            {"long_run",
+             {{"needless", to_value(drive.long_needless)},
+              {"misses", to_value(drive.long_misses)},
+              {"conflicts", to_value(drive.long_conflicts)}}}};
+  }
+
+  static Json to_value(const Road& road) {
+    return {{"name", road.name},
+            {"title", road.title},
+            {"description", road.description},
+            {"length", road.length},
+            {"drives", to_list(road.drives)}};
   }
 
   static Json to_value(const CatalogueEntry& entry) {
@@ -217,6 +242,7 @@ struct Document {
     value["profiles"] = to_list(result.profiles);
     value["charts"] = to_list(result.charts);
     value["catalogue"] = to_list(result.catalogue);
+    value["roads"] = to_list(result.roads);
     value["road"] = result.road;
     value["speed"] = to_value(result.speed);
     value["seed"] = result.seed;

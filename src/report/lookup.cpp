@@ -1,6 +1,10 @@
 #include "lookup.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "format.h"
 
 namespace heed::report {
 
@@ -89,6 +93,18 @@ std::string errors_explained(const RunResult& result) {
          "it does so every time. “Needlessly” counts those that neither oblige to react nor excuse it, and "
          "at "
          "which it reacts with a probability above 0.";
+}
+
+std::string road_explained(const Road& road) {
+  return fmt::format(
+      "{} passed one after another: {}. “Needless” and “misses” are how many are to be expected on the whole "
+      "road, “a thing” says how many for each thing passed when the road goes on for ever.",
+      plural(road.length, "thing"), road.description);
+}
+
+bool sees_conflicts(const Road& road) {
+  return std::any_of(road.drives.begin(), road.drives.end(),
+                     [](const Drive& drive) { return drive.conflict.has_value(); });
 }
 
 ErrorCount count_errors(const RunResult& result, std::string_view controller) {

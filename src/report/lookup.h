@@ -35,6 +35,11 @@ namespace heed::report {
 /// What "can miss" and "needlessly" mean, for whoever reads the counts.
 [[nodiscard]] std::string errors_explained(const RunResult& result);
 
+/// What stands on the road and what is counted, in a sentence.
+[[nodiscard]] std::string road_explained(const Road& road);
+/// Whether any controller on it can tell that what is seen contradicts itself.
+[[nodiscard]] bool sees_conflicts(const Road& road);
+
 /// How one controller errs over the catalogue.
 struct ErrorCount {
   std::uint64_t signs = 0;  ///< Signs for which stopping is needless.

@@ -26,6 +26,7 @@ class Writer {
     controllers();
     outcomes();
     catalogue();
+    roads();
     speed();
     closing();
     return std::move(text_);
@@ -69,6 +70,8 @@ class Writer {
   void outcomes();
   void outcome_rows(TextTable& table, const Chart& chart, const std::vector<std::string>& labels) const;
   void catalogue();
+  void roads();
+  [[nodiscard]] std::string name_of(const std::string& controller) const;
   void speed();
   void closing();
 
@@ -115,12 +118,15 @@ void Writer::controllers() {
   }
 }
 
+std::string Writer::name_of(const std::string& name) const {
+  for (const Controller& controller : result_.controllers)
+    if (controller.name == name) return title_of(controller);
+  return name;
+}
+
 void Writer::outcome_rows(TextTable& table, const Chart& chart,
                           const std::vector<std::string>& labels) const {
-  std::string name = chart.controller;
-  for (const Controller& controller : result_.controllers)
-    if (controller.name == chart.controller) name = title_of(controller);
-  std::vector<std::string> decimals{name}, exact{""}, sampled{"  sampled"};
+  std::vector<std::string> decimals{name_of(chart.controller)}, exact{""}, sampled{"  sampled"};
   bool rational = false;
   for (const std::string& label : labels) {
     const auto bar =
@@ -132,6 +138,11 @@ void Writer::outcome_rows(TextTable& table, const Chart& chart,
     const double share =
         known && chart.traces > 0 ? static_cast<double>(bar->sampled) / static_cast<double>(chart.traces) : 0;
     sampled.push_back(known ? fixed(share, 4) : "");
+  }
+  if (chart.reaction) {
+    decimals.push_back(fixed(chart.reaction->value, 4));
+    exact.emplace_back();  // it would push the controller's name out of the line
+    sampled.emplace_back();
   }
   table.add(std::move(decimals));
   if (rational) table.add(std::move(exact));
@@ -145,6 +156,10 @@ void Writer::outcomes() {
     title(profile.title.empty() ? profile.name : fmt::format("{}: {}", profile.name, profile.title));
     std::vector<TextTable::Column> columns{{"probability"}};
     for (const std::string& label : labels) columns.push_back({label, Align::Right});
+    const bool reactions = std::any_of(result_.charts.begin(), result_.charts.end(), [&](const Chart& c) {
+      return c.profile == profile.name && c.reaction;
+    });
+    if (reactions) columns.push_back({"cells left", Align::Right});
     TextTable table(std::move(columns));
     for (const Chart& chart : result_.charts)
       if (chart.profile == profile.name) outcome_rows(table, chart, labels);
@@ -169,6 +184,33 @@ void Writer::catalogue() {
                fmt::format("{} of {}", count.missed, count.halting), count.open_road ? "reacts" : "goes on"});
   }
   text_ += table.render(width_) + wrap(errors_explained(result_), width_, "  ");
+}
+
+void Writer::roads() {
+  for (const Road& road : result_.roads) {
+    title(fmt::format("Road: {}", road.title));
+    text_ += wrap(road_explained(road), width_, "  ");
+    std::vector<TextTable::Column> columns{{"profile"},
+                                           {"controller"},
+                                           {"needless", Align::Right},
+                                           {"misses", Align::Right},
+                                           {"needless a thing", Align::Right},
+                                           {"misses a thing", Align::Right}};
+    const bool conflicts = sees_conflicts(road);
+    if (conflicts) columns.push_back({"conflict", Align::Right});
+    TextTable table(std::move(columns));
+    const auto number = [](const std::optional<Number>& one) {
+      return one ? fixed(one->value, 4) : std::string("-");
+    };
+    for (const Drive& drive : road.drives) {
+      std::vector<std::string> cells{
+          drive.profile,        name_of(drive.controller),   number(drive.needless),
+          number(drive.misses), number(drive.long_needless), number(drive.long_misses)};
+      if (conflicts) cells.push_back(number(drive.conflict));
+      table.add(std::move(cells));
+    }
+    text_ += table.render(width_);
+  }
 }
 
 void Writer::speed() {

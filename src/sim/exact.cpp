@@ -26,12 +26,13 @@ class ExactRun {
  public:
   ExactRun(const Run& run, util::Budget& budget) : run_(run), budget_(budget), letters_(run) {
     outcome_.probability.resize(run.judge.categories.size());
+    outcome_.event_at.resize(run.chain.cells + 1);
   }
 
   ExactOutcome compute() {
     Layer layer;
     observe({}, run_.machine.input_letter(run_.binding.blank), 1, layer);
-    for (std::uint32_t cell = 0; cell < run_.chain.cells; ++cell) {
+    for (observation_ = 1; observation_ <= run_.chain.cells; ++observation_) {
       const Layer before = std::exchange(layer, {});
       for (const auto& [standing, probability] : before) step(standing, probability, layer);
     }
@@ -60,7 +61,10 @@ class ExactRun {
     const auto* row = read ? run_.machine.find(standing.machine, *read) : nullptr;
     if (!row) return stop(standing, probability);
     const auto index = static_cast<std::size_t>(row - run_.machine.transitions.data());
-    if (standing.category == Judge::none) standing.category = run_.judge.event[index];
+    if (standing.category == Judge::none) {
+      standing.category = run_.judge.event[index];
+      if (standing.category != Judge::none) outcome_.event_at[observation_] += probability;
+    }
     standing.machine = row->next;
     standing.fallback |= row->fallback;
     next[standing] += probability;
@@ -82,6 +86,7 @@ class ExactRun {
   const Run& run_;
   util::Budget& budget_;
   ExactOutcome outcome_;
+  std::uint32_t observation_ = 0;  ///< Now: 0 the blank one, then cell + 1.
   LetterCache letters_;
 };
 

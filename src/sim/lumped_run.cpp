@@ -92,7 +92,7 @@ class LumpedRun {
     watched_ |= model.machine.start.fallback;
     find_decided();
     category_.resize(model.categories, zero());
-    by_.resize(model.cells + 1, zero());
+    at_.resize(model.cells + 1, zero());
   }
 
   LumpedOutcome run() {
@@ -167,7 +167,7 @@ class LumpedRun {
   /// Into the bucket of the first state that is left; what has nothing left comes last.
   void put(const typename Map::Key& key, const Number& value) {
     if (key[2] >= decided) {
-      by_[cell_] += value;
+      at_[cell_] += value;
       return end_run(key[3] | 2 * (key[2] - decided + 1), value);
     }
     const auto& left = now_.content(key[0]);
@@ -249,7 +249,7 @@ class LumpedRun {
     }
     if (tag < 2 && ending.event != Ending::nowhere) {
       tag |= 2 * (ending.event + 1);
-      by_[cell_] += probability;
+      at_[cell_] += probability;
       if (!watched_) return end_run(tag, probability);
     }
     layer_.add({set, ending.next, tag | (ending.fallback ? 1U : 0U), 0}, probability);
@@ -301,11 +301,7 @@ class LumpedRun {
     result.undefined = figure(undefined_);
     result.missing = figure(missing_);
     result.fallback = figure(fallback_);
-    Number sum = zero();
-    for (const Number& p : by_) {
-      sum += p;
-      result.event_by.push_back(figure(sum));
-    }
+    for (const Number& p : at_) result.event_at.push_back(figure(p));
     result.exact = result.undefined.exact.has_value();
     Lumps& lumps = result.lumps;
     lumps.groups = static_cast<std::uint32_t>(model_.groups.size());
@@ -335,7 +331,7 @@ class LumpedRun {
   std::map<std::uint32_t, Map> buckets_;  ///< Left, gone, node, tag; by the first state that is left.
   std::deque<Law> laws_;
   std::map<std::array<std::uint32_t, 3>, const Law*> law_numbers_;
-  std::vector<Number> category_, by_;
+  std::vector<Number> category_, at_;
   Number undefined_ = zero(), missing_ = zero(), fallback_ = zero();
   std::uint64_t widest_ = 0, steps_ = 0;
 };

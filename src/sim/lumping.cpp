@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "chain_join.h"
@@ -15,7 +16,9 @@
 namespace heed::sim {
 
 Figure known(Rational value) {
-  const double rounded = to_double(value);
+  double rounded = to_double(value);  // cut off; the next one may be nearer
+  const double above = std::nextafter(rounded, std::numeric_limits<double>::infinity());
+  if (Rational(above) - value < value - Rational(rounded)) rounded = above;
   const double error = Rational(rounded) == value ? 0 : rounded * 0x1p-52;
   return {std::move(value), rounded, error};
 }
@@ -29,6 +32,32 @@ Figure operator+(const Figure& a, const Figure& b) {
 Figure complement(const Figure& a) {
   if (a.exact) return known(1 - *a.exact);
   return {std::nullopt, 1 - a.value, a.error + 0x1p-52};
+}
+
+Figure scaled(const Figure& a, unsigned factor) {
+  if (a.exact) return known(*a.exact * factor);
+  return {std::nullopt, a.value * factor, a.error * factor + 0x1p-52 * a.value * factor};
+}
+
+// With a' within da of a and b' within db of b: |a/b - a'/b'| <= (da + (a'/b') db) / (b' - db).
+Figure ratio(const Figure& a, const Figure& b) {
+  if (a.exact && b.exact) return known(*a.exact / *b.exact);
+  const double quotient = a.value / b.value;
+  const double error = (a.error + quotient * b.error) / (b.value - b.error);
+  return {std::nullopt, quotient, error * (1 + 0x1p-40) + 0x1p-50 * quotient};
+}
+
+ReactionDistance reaction_distance(const LumpedOutcome& outcome) {
+  ReactionDistance distance{known(0), known(0), std::nullopt};
+  const auto cells = static_cast<unsigned>(outcome.event_at.size() - 1);
+  for (unsigned i = 0; i <= cells; ++i) {
+    distance.mean = distance.mean + scaled(outcome.event_at[i], cells - i);
+    distance.reacts = distance.reacts + outcome.event_at[i];
+  }
+  const Figure& reacts = distance.reacts;
+  if (reacts.exact ? *reacts.exact > 0 : reacts.value > 2 * reacts.error)
+    distance.when_it_reacts = ratio(distance.mean, reacts);
+  return distance;
 }
 
 namespace {

@@ -92,8 +92,23 @@ struct OutcomePart {
   std::optional<WrittenFormula> when;
 };
 
+/// What stands at one place of a road, and how likely.
+struct RoadShare {
+  Word thing;  ///< An entity, "none", or "any": each leaf of the catalogue with the same probability.
+  sim::Rational probability;
+};
+
+/// A road that is driven along: one thing after another.
+struct RoadPart {
+  Word name;
+  std::string title;
+  std::vector<std::vector<RoadShare>> places;  ///< One round; a longer road begins again.
+  std::uint32_t length = 0;                    ///< Places altogether.
+};
+
 struct EvaluatePart {
   WrittenFormula event;
+  std::optional<WrittenFormula> conflict;
   std::vector<OutcomePart> outcomes;
   std::size_t rest = 0;  ///< The outcome without `when`.
   std::size_t miss = 0;
@@ -120,6 +135,7 @@ struct Scenario {
   std::vector<ControllerPart> controllers;
   std::vector<ProfilePart> profiles;
   std::optional<EvaluatePart> evaluate;
+  std::vector<RoadPart> roads;
 };
 
 /// Reads a scenario (docs/formats/scenario.md). Paths inside are resolved against its folder. \throws

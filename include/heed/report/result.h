@@ -118,6 +118,9 @@ struct Chart {
   double chi_square = 0;
   unsigned degrees_of_freedom = 0;
   double p_value = 1;
+  std::optional<Number> reaction{};  ///< Expected distance of the reaction in cells, 0 where there is none.
+  std::optional<Number> reaction_when_it_reacts{};  ///< The same over the runs with a reaction.
+  std::optional<Number> conflict{};  ///< P(what is seen contradicts itself); where the controller can tell.
 };
 
 /// Driving past one thing with one controller under one profile.
@@ -127,6 +130,23 @@ struct Encounter {
   std::optional<Number> miss{};  ///< Only where the thing prescribes halting: it does not.
   std::optional<Number>
       needless{};  ///< Only where it prescribes neither halting nor giving way: the car stops all the same.
+};
+
+/// What one controller is expected to do along a road under one profile.
+struct Drive {
+  std::string profile, controller;
+  Number needless{}, misses{};                                             ///< How many, on the whole road.
+  std::optional<Number> conflict{};                                        ///< P(somewhere on the road).
+  Number no_answer{};                                                      ///< P(somewhere on the road).
+  std::optional<Number> long_needless{}, long_misses{}, long_conflicts{};  ///< A thing, in the long run.
+};
+
+/// Things passed one after another.
+struct Road {
+  std::string name, title;
+  std::string description;  ///< What stands there.
+  std::uint64_t length = 0;
+  std::vector<Drive> drives{};
 };
 
 /// One sign of the catalogue, or the open road (`name` empty).
@@ -197,6 +217,7 @@ struct RunResult {
   std::vector<Profile> profiles{};
   std::vector<Chart> charts{};
   std::vector<CatalogueEntry> catalogue{};
+  std::vector<Road> roads{};
   /// The car's way past the sign without a stop, such as M0 M4 M3 M2 M1 M0.
   std::vector<std::string> road{};
   SpeedPicture speed{};

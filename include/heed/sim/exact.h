@@ -14,6 +14,8 @@ struct ExactOutcome {
   Rational undefined = 0;             ///< A row was missing before the run had a category.
   Rational missing = 0;               ///< A row was missing at any time of the run, after its event included.
   Rational fallback = 0;              ///< At least one row marked as fallback was taken.
+  /// P(the run gets its category from this observation): the blank one, then that of each cell.
+  std::vector<Rational> event_at;
 };
 
 /// Forward dynamic programming over the product of chain and machine, with exact rationals. The result

@@ -27,6 +27,9 @@ struct Figure {
 [[nodiscard]] Figure operator+(const Figure& a, const Figure& b);
 /// 1 - a
 [[nodiscard]] Figure complement(const Figure& a);
+[[nodiscard]] Figure scaled(const Figure& a, unsigned factor);
+/// \pre b is surely above 0
+[[nodiscard]] Figure ratio(const Figure& a, const Figure& b);
 
 /// How an analysis went: what was lumped, and how much was left.
 struct Lumps {
@@ -42,8 +45,7 @@ struct Lumps {
 struct LumpedOutcome {
   std::vector<Figure> probability;
   Figure undefined, missing, fallback;
-  /// P(the run got its category by this observation), from the blank one to that of the last cell.
-  std::vector<Figure> event_by;
+  std::vector<Figure> event_at;
   bool exact = false;  ///< All figures are exact.
   Lumps lumps;
 };
@@ -58,6 +60,15 @@ struct SymbolicJudge {
   /// Judge::none.
   std::function<std::uint32_t(const model::Valuation& inputs, const model::Valuation& columns)> event;
 };
+
+/// How far away the thing still is when the machine reacts, in cells: an event in the last cell counts 0, one
+/// in the cell before 1.
+struct ReactionDistance {
+  Figure mean;                           ///< Over all runs: 0 for those without an event.
+  Figure reacts;                         ///< P(there is an event).
+  std::optional<Figure> when_it_reacts;  ///< Over the runs with an event; nothing where there are none.
+};
+[[nodiscard]] ReactionDistance reaction_distance(const LumpedOutcome& outcome);
 
 struct LumpOptions {
   /// Words of arithmetic that exact fractions may cost; above it doubles with a bound.

@@ -233,6 +233,25 @@ inline std::vector<CatalogueEntry> catalogue() {
   };
 }
 
+/// Two drives along one road; only one of the controllers can tell a conflict, and has a long run.
+inline std::vector<Road> roads() {
+  Road road{"town", "through town", "nothing with probability 9/10, stop with probability 1/10", 20};
+  road.drives.resize(2);
+  for (Drive& drive : road.drives) drive.profile = "P1";
+  road.drives[0].controller = "base";
+  road.drives[0].needless = rational("0");
+  road.drives[0].misses = rational("5/4");
+  road.drives[0].no_answer = rational("0");
+  road.drives[1] = road.drives[0];
+  road.drives[1].controller = "awareness";
+  road.drives[1].needless = rational("7/3");
+  road.drives[1].conflict = rational("1/8");
+  road.drives[1].long_needless = rational("7/60");
+  road.drives[1].long_misses = rational("1/16");
+  road.drives[1].long_conflicts = rational("1/160");
+  return {road};
+}
+
 inline RunResult result() {
   RunResult r;
   r.scenario = "stop-sign";
@@ -252,6 +271,13 @@ inline RunResult result() {
   r.profiles = profiles();
   r.charts = charts();
   r.catalogue = catalogue();
+  for (Chart& chart : r.charts) {
+    chart.reaction = rational("105/64");
+    chart.reaction_when_it_reacts = rational("7/3");
+  }
+  r.charts[0].conflict = rational("1/9");
+  r.charts[0].reaction_when_it_reacts.reset();
+  r.roads = roads();
   r.road = {"M0", "M4", "M3", "M2", "M1", "M0"};
   r.speed = speed_picture(10, 50, 4);
   r.speed.curves[0].states = {"M0", "M4", "M3", "M2", "M1", "S0"};

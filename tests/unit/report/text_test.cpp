@@ -74,6 +74,19 @@ TEST(Text, EmptyResultIsShort) {
   EXPECT_EQ(to_text(result), "nothing\n\nseed 0\n");
 }
 
+TEST(Text, RoadsTellWhatIsExpected) {
+  const std::string text = to_text(sample::result());
+  EXPECT_NE(text.find("Road: through town"), std::string::npos);
+  EXPECT_NE(text.find("20 things passed one after another: nothing with probability 9/10"),
+            std::string::npos);
+  const auto row = text.find("P1       Awareness", text.find("Road: through town"));
+  ASSERT_NE(row, std::string::npos);
+  const std::string line = text.substr(row, text.find('\n', row) - row);
+  for (const char* number : {"2.3333", "1.2500", "0.1167", "0.0625", "0.1250"})
+    EXPECT_NE(line.find(number), std::string::npos) << line;
+  EXPECT_NE(text.find("cells left"), std::string::npos);
+}
+
 }  // namespace
 
 }  // namespace heed::report

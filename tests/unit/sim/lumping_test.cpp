@@ -34,6 +34,9 @@ void expect_same(const LumpedOutcome& found, const ExactOutcome& expected, const
     EXPECT_EQ(*found.probability[c].exact, expected.probability[c]) << what << " category " << c;
   EXPECT_EQ(*found.undefined.exact, expected.undefined) << what;
   EXPECT_EQ(*found.missing.exact, expected.missing) << what;
+  ASSERT_EQ(found.event_at.size(), expected.event_at.size());
+  for (std::size_t i = 0; i < expected.event_at.size(); ++i)
+    EXPECT_EQ(*found.event_at[i].exact, expected.event_at[i]) << what << " observation " << i;
 }
 
 TEST(Lumping, EqualsTheWholeChainOnRandomMachines) {
