@@ -163,6 +163,7 @@ std::vector<Explanation> explain_in_scenario(const Arguments& arguments, const s
   const job::Scenario scenario = load_scenario(arguments);
   const job::World world = job::load_world(scenario, arguments.limits(), budget);
   const awareness::Catalogue& catalogue = world.knowledge.catalogue;
+  if (!arguments.json()) print_diagnostics(reading_warnings(world.knowledge));
   std::vector<Explanation> all;
   for (const job::ControllerPart* part : chosen_controllers(arguments, scenario)) {
     const job::Design design = job::design(scenario, world, *part);
@@ -196,6 +197,7 @@ std::vector<Explanation> explain_asked(const Arguments& arguments, util::Budget&
   const awareness::Catalogue& catalogue = knowledge.catalogue;
   if (is_scenario(arguments.operands().front()))
     job::judge_scenario(load_scenario(arguments), knowledge, notes);
+  if (!arguments.json()) print_diagnostics(reading_warnings(knowledge));
   if (!arguments.json()) print_diagnostics(notes);
   if (what.empty()) return justified(arguments, catalogue, budget, explain_warnings(catalogue));
   if (auto named = explain_name(catalogue, what))

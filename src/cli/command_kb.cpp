@@ -225,6 +225,7 @@ int kb_command(const Arguments& arguments) {
   for (const util::Diagnostic& diagnostic : knowledge.diagnostics)
     if (diagnostic.severity == util::Severity::Note && diagnostic.code != "not-used")
       notes.push_back(diagnostic);
+  print_diagnostics(reading_warnings(knowledge));
   print_diagnostics(notes);
   print(text(knowledge, arguments.has("--quiet")));
   if (second) print(second->text);

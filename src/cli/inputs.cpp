@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace heed::cli {
 namespace {
@@ -70,6 +73,29 @@ std::vector<const job::ControllerPart*> chosen_controllers(const Arguments& argu
         std::any_of(wanted.begin(), wanted.end(), [&](const auto& w) { return w.text == part.name.text; }))
       chosen.push_back(&part);
   return chosen;
+}
+
+util::Diagnostics reading_warnings(const job::Knowledge& knowledge) {
+  constexpr std::size_t most = 5;
+  std::set<std::pair<std::string, std::string>> of_catalogue;
+  for (const awareness::Warning& warning : knowledge.catalogue.warnings)
+    of_catalogue.emplace(warning.code, warning.message);
+  std::map<std::string, std::size_t> count;
+  util::Diagnostics result;
+  for (const util::Diagnostic& diagnostic : knowledge.diagnostics) {
+    if (diagnostic.severity != util::Severity::Warning) continue;
+    if (of_catalogue.contains({diagnostic.code, diagnostic.message})) continue;
+    if (++count[diagnostic.code] <= most) result.push_back(diagnostic);
+  }
+  for (const auto& [code, number] : count)
+    if (number > most)
+      result.push_back({util::Severity::Warning,
+                        {},
+                        code,
+                        fmt::format("and {} more of these", number - most),
+                        "--json lists them all",
+                        {}});
+  return result;
 }
 
 }  // namespace heed::cli

@@ -18,4 +18,8 @@ namespace heed::cli {
 [[nodiscard]] std::vector<const job::ControllerPart*> chosen_controllers(const Arguments& arguments,
                                                                          const job::Scenario& scenario);
 
+/// What reading the documents had to leave out, for standard error; of a kind that repeats itself the first
+/// few. The catalogue's own warnings are not among these.
+[[nodiscard]] util::Diagnostics reading_warnings(const job::Knowledge& knowledge);
+
 }  // namespace heed::cli

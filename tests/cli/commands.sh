@@ -59,6 +59,13 @@ check 'per axiom and per entity' node -e '
   const kb = JSON.parse(require("fs").readFileSync(process.argv[1]));
   const touched = kb.entities.filter(e => e.left_out.includes(kb.left_out[0].axiom)).map(e => e.label).sort();
   process.exit(kb.left_out[0].touches.join() === "Bike,Look" && touched.join() === "Bike,EBike" ? 0 : 1)' "$work/out"
+sed '5i DLSafeRule(Body(ClassAtom(:Bike Variable(<urn:x>))) Head(ClassAtom(:Car Variable(<urn:x>))))' "$work/union.ofn" >"$work/rule.ofn"
+check 'kb of an ontology with a rule' exits 0 "$heed" kb "$work/rule.ofn" "${roots[@]}" --quiet
+check 'says that it is left out, and where' warns 'rule.ofn:5:1: warning: DLSafeRule is no axiom of OWL 2 and is left out'
+check 'so does explain' exits 0 "$heed" explain "$work/rule.ofn" Bike "${roots[@]}"
+check 'on standard error' warns 'rule.ofn:5:1: warning: DLSafeRule'
+check 'the warnings of the catalogue are told once' exits 0 "$heed" kb "$work/union.ofn" "${roots[@]}" --quiet
+check 'on standard output' test ! -s "$work/err"
 check 'kb of a scenario' exits 0 "$heed" kb "$scenario" --quiet
 check 'names the symbol that excludes less than it could' says "'hasShape Octagon' would rule out 52 entities more"
 check 'and says how' says 'hint: report what = "hasShape Octagon"'
