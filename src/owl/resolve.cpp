@@ -59,6 +59,7 @@ bool is_absolute_iri(std::string_view text) {
 }
 
 std::size_t first_bad_character(std::string_view iri) {
+  if (iri.starts_with("_:")) return 0;
   for (std::size_t i = 0; i < iri.size(); ++i)
     if (static_cast<unsigned char>(iri[i]) <= 0x20 ||
         std::string_view("<>\"{}|\\^`").find(iri[i]) != std::string_view::npos)
