@@ -16,50 +16,48 @@ ClassExpression concept_of(const Feature& feature) {
   return ClassExpression::named(feature.filler);
 }
 
-std::optional<ClassExpression> concept_of(const Entity& entity) {
-  if (entity.individual) return std::nullopt;
-  return ClassExpression::named(entity.iri);
+namespace {
+
+ClassExpression concept_of(owl::Iri iri, bool individual) {
+  return individual ? ClassExpression::one_of({iri}) : ClassExpression::named(iri);
+}
+
+}  // namespace
+
+ClassExpression concept_of(const Entity& entity) {
+  return concept_of(entity.iri, entity.individual);
 }
 
 std::vector<Inclusion> inclusions_below(const Catalogue& catalogue, std::size_t entity,
                                         std::size_t ancestor) {
-  const auto sub = concept_of(catalogue.entities[entity]);
-  const auto super = concept_of(catalogue.entities[ancestor]);
-  if (!sub || !super) return {};
-  return {{*sub, *super}};
+  return {{concept_of(catalogue.entities[entity]), concept_of(catalogue.entities[ancestor])}};
 }
 
 std::vector<Inclusion> inclusions_has(const Catalogue& catalogue, std::size_t entity, std::size_t feature) {
-  const auto sub = concept_of(catalogue.entities[entity]);
-  if (!sub) return {};
-  return {{*sub, concept_of(catalogue.features[feature])}};
+  return {{concept_of(catalogue.entities[entity]), concept_of(catalogue.features[feature])}};
 }
 
 std::vector<Inclusion> inclusions_prescribes(const Catalogue& catalogue, std::size_t entity,
                                              std::size_t behaviour) {
-  const auto sub = concept_of(catalogue.entities[entity]);
+  const ClassExpression sub = concept_of(catalogue.entities[entity]);
   const Behaviour& act = catalogue.behaviours[behaviour];
   std::vector<Inclusion> result;
-  if (!sub) return result;
   for (const owl::Iri role : catalogue.action_roles)
-    result.push_back({*sub, act.individual
-                                ? ClassExpression::has_value({role, false}, act.iri)
-                                : ClassExpression::some({role, false}, ClassExpression::named(act.iri))});
+    result.push_back({sub, act.individual
+                               ? ClassExpression::has_value({role, false}, act.iri)
+                               : ClassExpression::some({role, false}, ClassExpression::named(act.iri))});
   return result;
 }
 
 std::vector<Inclusion> inclusions_impossible(const Catalogue& catalogue, std::size_t entity) {
-  const auto sub = concept_of(catalogue.entities[entity]);
-  if (!sub) return {};
-  return {{*sub, ClassExpression::nothing()}};
+  return {{concept_of(catalogue.entities[entity]), ClassExpression::nothing()}};
 }
 
 std::vector<Inclusion> inclusions_special(const Catalogue& catalogue, std::size_t behaviour,
                                           std::size_t general) {
   const Behaviour& sub = catalogue.behaviours[behaviour];
   const Behaviour& super = catalogue.behaviours[general];
-  if (sub.individual || super.individual) return {};
-  return {{ClassExpression::named(sub.iri), ClassExpression::named(super.iri)}};
+  return {{concept_of(sub.iri, sub.individual), concept_of(super.iri, super.individual)}};
 }
 
 }  // namespace heed::awareness

@@ -2,16 +2,16 @@
 
 #include <heed/awareness/catalogue.h>
 
-#include <optional>
 #include <vector>
 
 namespace heed::awareness {
 
 [[nodiscard]] owl::ClassExpression concept_of(const Feature& feature);
-/// Nothing for an individual that is read as a kind of things: what is said of it holds in no OWL reasoner.
-[[nodiscard]] std::optional<owl::ClassExpression> concept_of(const Entity& entity);
+/// An individual that is read as a kind of things stands for itself: what it inherits along a role of its own
+/// follows in no OWL reasoner.
+[[nodiscard]] owl::ClassExpression concept_of(const Entity& entity);
 
-/// What a reasoner is asked for an entry of the catalogue; none where it has no answer.
+/// What a reasoner is asked for an entry of the catalogue.
 [[nodiscard]] std::vector<Inclusion> inclusions_below(const Catalogue& catalogue, std::size_t entity,
                                                       std::size_t ancestor);
 [[nodiscard]] std::vector<Inclusion> inclusions_has(const Catalogue& catalogue, std::size_t entity,

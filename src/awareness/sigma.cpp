@@ -57,17 +57,15 @@ SigmaFormula& SigmaBuilder::add(SigmaKind kind, const logic::Formula& body, Axio
 
 std::vector<Inclusion> SigmaBuilder::recognition(const std::vector<std::string>& atoms,
                                                  std::size_t entity) const {
-  const auto super = concept_of(catalogue_.entities[entity]);
-  if (!super) return {};
   std::vector<owl::ClassExpression> parts;
   for (std::size_t f = 0; f < catalogue_.features.size(); ++f)
     if (std::binary_search(atoms.begin(), atoms.end(), perception_.feature_atom[f]))
       parts.push_back(concept_of(catalogue_.features[f]));
   for (std::size_t e = 0; e < catalogue_.entities.size(); ++e)
     if (std::binary_search(atoms.begin(), atoms.end(), perception_.whole_atom[e]))
-      if (const auto whole = concept_of(catalogue_.entities[e])) parts.push_back(*whole);
+      parts.push_back(concept_of(catalogue_.entities[e]));
   if (parts.size() != atoms.size()) return {};  // levels of a tree, things that are missing
-  return {{owl::ClassExpression::intersection(std::move(parts)), *super}};
+  return {{owl::ClassExpression::intersection(std::move(parts)), concept_of(catalogue_.entities[entity])}};
 }
 
 std::string SigmaBuilder::words_for(const std::string& atom) const {

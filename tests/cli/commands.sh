@@ -139,6 +139,9 @@ check 'the second example gives the sigma of the paper' exits 0 "$heed" spec exa
 check 'recognition' says 'G (sign & red & triangle -> yield)'
 check 'prescription' says "G (yield -> X giveWay)"
 check 'an ontology of individuals needs no roots' exits 0 "$heed" kb examples/yield-roles/yield.owl
+check 'explain --all of an individual' exits 0 "$heed" explain examples/yield-roles/yield.owl yield --all
+check 'has what is asserted of it' says 'justification 1 of 1'
+check 'an ontology of individuals is shown' exits 0 "$heed" kb examples/yield-roles/yield.owl
 check 'it shows what the sign looks like' says 'yield sign (yield): red, triangle -> give way'
 check 'another domain' exits 0 "$heed" run examples/warehouse/warehouse.toml -o "$work/warehouse"
 check 'speaks of no sign' test -z "$(grep -i 'sign\|brak' "$work/out")"
