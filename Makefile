@@ -42,8 +42,8 @@ nightly: test sanitize lint   ## what takes longer: everything, with the slow se
 	@HEED_SLOW=1 ctest --preset dev -j $(JOBS)
 	@scripts/fuzz $(FUZZ_SECONDS)
 
-FUZZ_SECONDS ?= 60
-fuzz:                ## the fuzz targets, FUZZ_SECONDS each (make nightly FUZZ_SECONDS=600 for a long night)
+FUZZ_SECONDS ?= 600
+fuzz:                ## the fuzz targets, FUZZ_SECONDS each
 	@scripts/setup core test extras
 	@scripts/fuzz $(FUZZ_SECONDS)
 
