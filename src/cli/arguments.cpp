@@ -10,12 +10,13 @@
 namespace heed::cli {
 namespace {
 
-/// A size such as "512M" or "4G" (powers of 1024), or a plain number of bytes.
+/// A size such as "512M", "512MiB" or "4G" (powers of 1024), or a plain number of bytes.
 std::uint64_t read_size(const std::string& option, const std::string& text) {
   std::uint64_t value = 0;
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
-  const std::string unit(rest, end);
+  std::string unit(rest, end);
+  if (unit.size() == 3 && unit.ends_with("iB")) unit.resize(1);
   const int shift = unit.empty() ? 0 : unit == "K" ? 10 : unit == "M" ? 20 : unit == "G" ? 30 : -1;
   if (error != std::errc{} || shift < 0 || (value << shift >> shift) != value)
     throw UsageError(fmt::format("{}: '{}' is no size", option, text),
