@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <tuple>
 
 namespace heed::job {
 namespace {
@@ -28,6 +30,14 @@ std::pair<util::SourceText, util::SourceText> pair_of(TomlTable& table, const st
   if (items.size() != 2)
     table.fail(key, "wrong-type", fmt::format("'{}' takes two items, found {}", key, items.size()));
   return {items[0], items[1]};
+}
+
+/// One probability, or two: at the horizon and in the last cell.
+std::pair<Rational, std::optional<Rational>> rate(TomlTable& table, const std::string& key,
+                                                  const Rational& otherwise) {
+  if (!table.is_array(key)) return {probability(table, key, otherwise), std::nullopt};
+  const auto [begin, end] = pair_of(table, key);
+  return {sim::parse_rational(begin), sim::parse_rational(end)};
 }
 
 sim::TableOnset table_onset(TomlTable& table, const util::Limits& limits) {
@@ -81,8 +91,9 @@ void read_feature(TomlTable& table, ProfilePart& part, const util::Limits& limit
                fmt::format("'{}' has two rules: {} and {}", name.text, rules[0], rules[1]));
   feature.onset = rules.empty() ? sim::Onset{sim::ShuffledOnset{}} : read_rule(table, rules.front(), limits);
   feature.absent = table.flag("absent", false);
-  feature.detection = probability(table, "detection", 1);
-  feature.false_detection = probability(table, "false_detection", 0);
+  std::tie(feature.detection, feature.detection_at_end) = rate(table, "detection", 1);
+  std::tie(feature.false_detection, feature.false_detection_at_end) = rate(table, "false_detection", 0);
+  if (table.has("persistent")) feature.persistent = table.flag("persistent", true);
   table.finish();
   part.spec.features.push_back(std::move(feature));
 }
@@ -105,6 +116,12 @@ void add_shuffled(sim::ProfileSpec& spec) {
 std::string bound(const OnsetExpression& e) {
   if (!e.text().empty()) return e.text();
   return e.items().size() == 1 ? std::to_string(e.items()[0].number) : "?";
+}
+
+std::string words_of(const Rational& begin, const std::optional<Rational>& end) {
+  if (!end) return sim::fraction(begin);
+  return fmt::format("{} at the horizon, linearly to {} in the last cell", sim::fraction(begin),
+                     sim::fraction(*end));
 }
 
 std::string words_of(const sim::FeatureSpec& feature) {
@@ -134,10 +151,12 @@ std::string words_of(const sim::FeatureSpec& feature) {
   std::string words = std::visit(Words{}, feature.onset);
   if (words.empty()) return words;
   words = fmt::format("{}: {}", feature.name, words);
-  if (feature.detection != 1)
-    words += fmt::format("; reported with probability {}", sim::fraction(feature.detection));
-  if (feature.false_detection != 0)
-    words += fmt::format("; falsely reported with probability {}", sim::fraction(feature.false_detection));
+  if (feature.detection != 1 || feature.detection_at_end)
+    words += "; reported with probability " + words_of(feature.detection, feature.detection_at_end);
+  if (feature.false_detection != 0 || feature.false_detection_at_end)
+    words += "; falsely reported with probability " +
+             words_of(feature.false_detection, feature.false_detection_at_end);
+  if (feature.persistent) words += *feature.persistent ? "; stays reported" : "; reported anew in each cell";
   return words;
 }
 

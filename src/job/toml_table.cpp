@@ -90,6 +90,11 @@ bool TomlTable::is_flag(const std::string& key) const {
   return node != nullptr && node->is_boolean();
 }
 
+bool TomlTable::is_array(const std::string& key) const {
+  const toml::node* node = table_->get(key);
+  return node != nullptr && node->is_array();
+}
+
 bool TomlTable::flag(const std::string& key, bool otherwise) {
   const toml::node* node = find(key);
   if (node == nullptr) return otherwise;

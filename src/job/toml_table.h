@@ -38,6 +38,7 @@ class TomlTable {
   /// A number, or a string, as the text of a rational or an onset; each item of an array of them.
   [[nodiscard]] util::SourceText scalar(const std::string& key);
   [[nodiscard]] std::vector<util::SourceText> scalars(const std::string& key);
+  [[nodiscard]] bool is_array(const std::string& key) const;
   [[nodiscard]] TomlTable table(const std::string& key);
   [[nodiscard]] std::vector<TomlTable> tables(const std::string& key);
   [[nodiscard]] std::vector<std::string> keys() const;

@@ -193,16 +193,26 @@ void CellUnfolder::draw_shuffle_ahead(const DrawUnit& unit, std::vector<Branch>&
   branches = std::move(result);
 }
 
+Rational CellUnfolder::rate(const Rational& begin, const std::optional<Rational>& end,
+                            std::uint32_t cell) const {
+  if (!end) return begin;
+  if (cells_ == 1) return *end;
+  return begin + (*end - begin) * Rational(cell) / Rational(cells_ - 1);
+}
+
 /// Splits the branches by what perception reports of the things that are visible, or not.
 void CellUnfolder::report(std::uint32_t cell, std::vector<Branch>& branches) {
   for (std::size_t f = 0; f < model_.names.size(); ++f) {
     const FeatureSpec& feature = model_.spec.features[f];
-    const bool tracked = model_.spec.persistent && feature.detection != 1;
+    const Rational detection = rate(feature.detection, feature.detection_at_end, cell);
+    const Rational false_detection = rate(feature.false_detection, feature.false_detection_at_end, cell);
+    const bool always = feature.detection == 1 && feature.detection_at_end.value_or(1) == 1;
+    const bool tracked = feature.persistent.value_or(model_.spec.persistent) && !always;
     std::vector<Branch> silent;
     for (Branch& branch : branches) {
       const bool there = !feature.replaced && visible(branch.knowledge, f, cell);
       const bool sure = (branch.knowledge.reported & bit(f)) != 0;
-      const Rational p = sure ? Rational(1) : there ? feature.detection : feature.false_detection;
+      const Rational p = sure ? Rational(1) : there ? detection : false_detection;
       if (p == 0) continue;
       if (p != 1) {
         silent.push_back(branch);

@@ -48,6 +48,9 @@ class CellUnfolder {
   void draw_feature_ahead(const DrawUnit& unit, std::vector<Branch>& branches);
   void draw_shuffle_ahead(const DrawUnit& unit, std::vector<Branch>& branches);
   void report(std::uint32_t cell, std::vector<Branch>& branches);
+  /// A rate in \p cell that is \p begin at the horizon and \p end, if given, in the last cell.
+  [[nodiscard]] Rational rate(const Rational& begin, const std::optional<Rational>& end,
+                              std::uint32_t cell) const;
   void forget(std::uint32_t cell, Knowledge& knowledge) const;
   void grow(std::vector<Branch>& branches, Branch branch);
   void want_ahead(const std::vector<std::uint32_t>& features);

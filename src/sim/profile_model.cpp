@@ -93,6 +93,9 @@ void check_features(const ProfileSpec& spec, std::vector<std::string>& names) {
     names.push_back(feature.name);
     check_probability(feature.detection, feature, "detection");
     check_probability(feature.false_detection, feature, "false_detection");
+    if (feature.detection_at_end) check_probability(*feature.detection_at_end, feature, "detection");
+    if (feature.false_detection_at_end)
+      check_probability(*feature.false_detection_at_end, feature, "false_detection");
     std::visit(CheckRule{feature}, feature.onset);
   }
 }

@@ -97,6 +97,10 @@ struct FeatureSpec {
   bool replaced = false;
   Rational detection = 1;        ///< Probability to be reported in a cell where it is visible.
   Rational false_detection = 0;  ///< Probability to be reported in a cell where it is not visible, or absent.
+  /// The two rates in the last cell, where they change linearly with the distance; else they are the same
+  /// everywhere. With one cell, these count.
+  std::optional<Rational> detection_at_end{}, false_detection_at_end{};
+  std::optional<bool> persistent{};  ///< Instead of the profile's.
   util::Location location{};
 };
 

@@ -52,5 +52,27 @@ TEST(Evaluate, MachinesByFunctionsHaveTheOutcomesOfListedOnes) {
   EXPECT_GE(compared, 48);
 }
 
+TEST(Evaluate, RatesOfAProfileAreReadAndTold) {
+  const std::string path = std::string(HEED_SOURCE_DIR) + "/examples/stop-sign/stop-sign.toml";
+  std::string text = util::read_file(path).text();
+  const std::string rule = "{ feature = \"sign\", uniform = [0, 2] }";
+  const auto at = text.find(rule);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, rule.size(),
+               "{ feature = \"sign\", fixed = 0, detection = [\"1/2\", 1], false_detection = \"1/9\", "
+               "persistent = false }");
+  const Scenario scenario = read_scenario(util::SourceText(path, text));
+  const ProfilePart& profile = scenario.profiles.at(1);
+  const sim::FeatureSpec& sign = profile.spec.features.front();
+  EXPECT_EQ(sign.detection, sim::Rational(1, 2));
+  EXPECT_EQ(sign.detection_at_end, std::optional<sim::Rational>(1));
+  EXPECT_FALSE(sign.false_detection_at_end);
+  EXPECT_EQ(sign.persistent, std::optional(false));
+  EXPECT_EQ(
+      profile.description.front(),
+      "sign: seen from cell 0 on; reported with probability 1/2 at the horizon, linearly to 1 in the last "
+      "cell; falsely reported with probability 1/9; reported anew in each cell");
+}
+
 }  // namespace
 }  // namespace heed::job

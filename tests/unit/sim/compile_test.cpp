@@ -266,5 +266,21 @@ TEST(Compile, RefusesBadShufflesAndFrames) {
   EXPECT_EQ(code(profile), "too-many-features");
 }
 
+// Visible all the way, read well only from near by: 1/2, 3/4, 1.
+TEST(Compile, DetectionThatGrowsWithNearness) {
+  ProfileSpec profile;
+  profile.cells = 3;
+  profile.features = {feature("sign", FixedOnset{0})};
+  profile.features[0].detection = q("1/2");
+  profile.features[0].detection_at_end = 1;
+  util::Budget budget;
+  EXPECT_EQ(sequences(compile(profile, budget)),
+            (SequenceLaw{{{0, 0, 1}, q("1/8")}, {{0, 1, 1}, q("3/8")}, {{1, 1, 1}, q("1/2")}}));
+  profile.features[0].persistent = false;
+  EXPECT_EQ(sequences(compile(profile, budget)),
+            (SequenceLaw{
+                {{0, 0, 1}, q("1/8")}, {{0, 1, 1}, q("3/8")}, {{1, 0, 1}, q("1/8")}, {{1, 1, 1}, q("3/8")}}));
+}
+
 }  // namespace
 }  // namespace heed::sim

@@ -42,6 +42,11 @@ class Maker {
       feature.replaced = pick(6) == 0;
       if (pick(3) == 0) feature.detection = Rational(pick(4), 3);
       if (pick(3) == 0) feature.false_detection = Rational(pick(3), 4);
+      if (pick(4) == 0) feature.detection_at_end = Rational(pick(5), 4);
+      if (pick(4) == 0) feature.false_detection_at_end = Rational(pick(3), 3);
+      if (pick(3) == 0) feature.persistent = pick(2) == 0;
+      if (feature.detection_at_end) feature.detection_at_end->canonicalize();
+      if (feature.false_detection_at_end) feature.false_detection_at_end->canonicalize();
       feature.detection.canonicalize();
       feature.false_detection.canonicalize();
       known_ = i < features - shuffled ? i : features - shuffled;
@@ -174,11 +179,16 @@ class Maker {
 std::map<std::vector<bool>, Rational> reports(const ProfileSpec& spec, const FeatureSpec& feature,
                                               int onset) {
   std::map<std::pair<std::vector<bool>, bool>, Rational> layer{{{{}, false}, 1}};
-  for (int cell = 0; cell < static_cast<int>(spec.cells); ++cell) {
+  const int cells = static_cast<int>(spec.cells);
+  for (int cell = 0; cell < cells; ++cell) {
     std::map<std::pair<std::vector<bool>, bool>, Rational> next;
     for (const auto& [past, probability] : layer) {
-      const bool there = !feature.replaced && onset <= cell, sure = past.second && spec.persistent;
-      const Rational p = sure ? Rational(1) : there ? feature.detection : feature.false_detection;
+      const bool there = !feature.replaced && onset <= cell;
+      const bool sure = past.second && feature.persistent.value_or(spec.persistent);
+      const auto& end = there ? feature.detection_at_end : feature.false_detection_at_end;
+      const Rational begin = there ? feature.detection : feature.false_detection;
+      const Rational far = cells == 1 ? Rational(0) : Rational(cells - 1 - cell) / (cells - 1);
+      const Rational p = sure ? Rational(1) : end ? Rational(begin * far + *end * (1 - far)) : begin;
       for (const bool yes : {false, true}) {
         auto bits = past.first;
         bits.push_back(yes);
