@@ -46,6 +46,7 @@ void Encoding::declare(const spec::Gr1& spec, const std::vector<std::uint32_t>& 
     coded.bits.assign(next, end);
     next = end;
   }
+  for (const Coded& coded : variables_) values_.push_back(value_of(coded));
   for (const bdd::Pair& pair : pairs) by_bit_.insert(by_bit_.end(), {pair.current, pair.next});
 }
 
@@ -134,10 +135,14 @@ Encoding::Value Encoding::variable(const std::string& name) const {
   const std::size_t begin = symbol->kind == Kind::Input    ? 0
                             : symbol->kind == Kind::Output ? outputs_
                                                            : memories_;
-  const Coded& coded = variables_[begin + symbol->index];
-  if (symbol->domain.kind == model::Domain::Kind::Boolean)
+  return values_[begin + symbol->index];
+}
+
+Encoding::Value Encoding::value_of(const Coded& coded) const {
+  const model::Domain& domain = coded.variable->domain;
+  if (domain.kind == model::Domain::Kind::Boolean)
     return {manager_->variable(coded.bits.front().current), {}, false};
-  Value result{{}, {symbol->domain.low, {}}, true};
+  Value result{{}, {domain.low, {}}, true};
   for (auto pair = coded.bits.rbegin(); pair != coded.bits.rend(); ++pair)
     result.number.bits.push_back(manager_->variable(pair->current));
   return result;

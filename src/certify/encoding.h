@@ -68,6 +68,7 @@ class Encoding {
   void declare(const spec::Gr1& spec, const std::vector<std::uint32_t>& order);
   [[nodiscard]] Value value(const logic::Formula& node, const Memo& memo) const;
   [[nodiscard]] Value variable(const std::string& name) const;
+  [[nodiscard]] Value value_of(const Coded& coded) const;
   [[nodiscard]] static Value shifted(const Value& value);
   [[nodiscard]] bdd::Bdd comparison(const logic::Formula& node, const Memo& memo) const;
   [[nodiscard]] bdd::Bdd connective(const logic::Formula& node, const Memo& memo) const;
@@ -78,6 +79,7 @@ class Encoding {
   spec::Symbols symbols_;
   std::vector<Coded> variables_;
   std::size_t outputs_ = 0, memories_ = 0;  ///< Where these begin in `variables_`.
+  std::vector<Value> values_;               ///< Of `variables_`, now.
   std::vector<bdd::Bdd> definitions_;
   std::vector<bdd::Var> by_bit_;  ///< Diagram variable of each bit of model::Diagrams.
 };

@@ -83,7 +83,7 @@ Bits above(bdd::Manager& manager, const Number& a, std::int64_t base) {
   Bits constant;
   for (std::int64_t rest = a.offset - base; rest != 0; rest >>= 1)
     constant.push_back(manager.constant((rest & 1) != 0));
-  return sum(a.bits, constant);
+  return constant.empty() ? a.bits : sum(a.bits, constant);
 }
 
 }  // namespace

@@ -131,8 +131,9 @@ class Builder {
   }
 
   [[nodiscard]] static bool meets(const Bdd& function, const std::vector<bdd::Var>& variables) {
+    const std::vector<bdd::Var> support = function.support_variables();
     return std::any_of(variables.begin(), variables.end(),
-                       [&](bdd::Var v) { return function.depends_on(v); });
+                       [&](bdd::Var v) { return std::binary_search(support.begin(), support.end(), v); });
   }
 
   /// \p formula, refused where it depends on something that \p part must not speak of.

@@ -53,7 +53,7 @@ class LineReader {
     while (at_ < text_.size()) {
       end_ = std::min(text_.find('\n', at_), text_.size());
       const std::size_t next_line = end_ + 1;
-      end_ = std::min(text_.find('#', at_), end_);
+      end_ = at_ + std::min(text_.substr(at_, end_ - at_).find('#'), end_ - at_);
       skip_space();
       if (at_ < end_) read_item();
       at_ = next_line;
