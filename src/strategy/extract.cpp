@@ -203,9 +203,13 @@ class Extractor {
     const Situation at{left, letter.future, static_cast<std::uint32_t>(key_.goal), choice_number_};
     const auto [known, fresh] = reactions_.try_emplace(at);
     if (fresh) known->second = react(at);
-    const Reaction& reaction = known->second;
+    Reaction& reaction = known->second;
     relies_ = relies_ || reaction.waits;
-    add_row({letter.number, reaction.output, 0, false}, reaction);
+    count_row();
+    const bool latching = options_.on_violation == OnViolation::Latch;
+    if (latching || reaction.next == Reaction::unknown) reaction.next = next_state(reaction);
+    builder_.add(from_, {letter.number, reaction.output, reaction.next, false});
+    if (latching) latch_.add(letter_, {reaction.output, reaction.next});
   }
 
   [[nodiscard]] Reaction react(const Situation& at) {
@@ -214,7 +218,7 @@ class Extractor {
     const auto [letter, added] =
         output_letters_.try_emplace((std::uint64_t{answer.bits} << 32) | reached.columns, 0U);
     if (added) letter->second = builder_.output_letter(output_of(answer.bits, columns_[reached.columns]));
-    return {letter->second, reached.future, reached.goal, answer.waits};
+    return {letter->second, reached.future, reached.goal, answer.waits, Reaction::unknown};
   }
 
   /// Where an answer leads.
@@ -292,11 +296,10 @@ class Extractor {
     return goal;
   }
 
-  void add_row(model::Mealy::Transition row, const Reaction& reaction) {
-    count_row();
+  [[nodiscard]] std::uint32_t next_state(const Reaction& reaction) {
     StateKey key{reaction.future, reaction.goal, 0};
-    const bool latching = options_.on_violation == OnViolation::Latch;
-    if (latching && !valid_inputs_.entails(state_.functions(key.future)[Legal]))
+    if (options_.on_violation == OnViolation::Latch &&
+        !valid_inputs_.entails(state_.functions(key.future)[Legal]))
       key.observation = latch_.number(letter_);
     const auto [next, added] = states_.number(key);
     if (added) {
@@ -305,9 +308,7 @@ class Extractor {
                                   "the strategy has too many states to list");
       builder_.add_state();
     }
-    row.next = next;
-    builder_.add(from_, row);
-    if (latching) latch_.add(letter_, {row.output, next});
+    return next;
   }
 
   void count_row() {

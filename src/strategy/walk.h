@@ -34,6 +34,9 @@ struct Reaction {
   Cofactors::Id future = 0;  ///< The next state's, with its goal.
   std::uint32_t goal = 0;
   bool waits = false;
+  std::uint32_t next = unknown;  ///< The state, where no observation belongs to it.
+
+  static constexpr std::uint32_t unknown = UINT32_MAX;
 };
 
 /// An answer to an observation: its bits by number, and whether it waits for an assumption or meets a goal of
