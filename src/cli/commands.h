@@ -12,6 +12,7 @@ int convert_command(const Arguments& arguments);
 int synth_command(const Arguments& arguments);
 int verify_command(const Arguments& arguments);
 int simulate_command(const Arguments& arguments);
+int tune_command(const Arguments& arguments);
 int play_command(const Arguments& arguments);
 int export_command(const Arguments& arguments);
 int exec_command(const Arguments& arguments);

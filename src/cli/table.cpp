@@ -40,6 +40,19 @@ const std::vector<Option> synth_options{
     {"--on-violation", "WORD", "undefined", "undefined|latch", "What answers an illegal observation"},
     {"--exit-code", "STYLE", "heed", "heed|syntcomp", "0 and 1, or 10 and 20"}};
 
+Command tune_entry() {
+  return {"tune",
+          "Compare policies exactly: misses, needless reactions, distance of the reaction",
+          {{"SCENARIO", "Scenario file"}},
+          {{"--false-braking", "P", "", "0 ... 1",
+            "Name the policy with the fewest misses that reacts needlessly at most so often"},
+           {"--noise", "LEVELS", "0", "comma-separated",
+            "Probabilities with which every feature is missed, and falsely reported, besides"},
+           {"--all", "", "", "", "Also print policies that another one beats in everything"}},
+          "heed tune examples/stop-sign/stop-sign.toml --false-braking 1/10",
+          tune_command};
+}
+
 std::vector<Command> scenario_commands() {
   return {
       {"run",
@@ -52,6 +65,7 @@ std::vector<Command> scenario_commands() {
         {"--details", "", "", "", "Also print the formulas of the knowledge base with their axioms"}},
        "heed run examples/stop-sign/stop-sign.toml -o out/stop-sign",
        run_command},
+      tune_entry(),
       {"play",
        "Write a page on which people reveal features and watch the controllers drive",
        {{"SCENARIO", "Scenario file"}},
@@ -130,7 +144,7 @@ std::vector<Command> controller_commands() {
        verify_command},
       {"simulate",
        "Evaluate controllers from disk, exactly and by samples",
-       {{"SCENARIO", "Scenario file"}, {"CONTROLLER", "Controller files", true, true}},
+       {{"SCENARIO", "Scenario file"}, {"CONTROLLER", "Controller files, explicit or symbolic", true, true}},
        simulate_options(),
        "heed simulate examples/stop-sign/stop-sign.toml out/stop-sign/awareness.controller.json --profile P2",
        simulate_command},

@@ -129,6 +129,13 @@ check 'simulate --rare estimates' says 'stop in 4 by splitting: 0.00'
 check 'simulate --rare knows the outcomes' exits 2 "$heed" simulate "$scenario" "$work/run/base.controller.json" --rare 'stop in 9'
 check 'simulate --width' exits 0 "$heed" simulate "$scenario" "$work/run/base.controller.json" --profile P2 --width 0.01
 check 'simulate --width is a number' exits 2 "$heed" simulate "$scenario" "$work/run/base.controller.json" --width wide
+check 'tune' exits 0 "$heed" tune "$scenario" --false-braking 1/10
+check 'tune names a policy' says 'tree-or-full sign -> octagon'
+check 'tune finds none under an impossible bound' exits 1 "$heed" tune "$scenario" --false-braking 0 --noise 1/2
+check 'tune takes a probability' exits 2 "$heed" tune "$scenario" --false-braking 3/2
+check 'tune takes levels' exits 2 "$heed" tune "$scenario" --noise 0,much
+check 'tune --json' exits 0 "$heed" tune "$scenario" --json
+check 'tune --json is JSON' is_json
 check 'simulate --json' exits 0 "$heed" simulate "$scenario" "$work/run/base.controller.json" --json --traces 0
 check 'simulate --json is JSON' is_json
 for format in cpp json dot; do check "export --to $format" exits 0 "$heed" export "$work/run/awareness.controller.json" --to $format; done
