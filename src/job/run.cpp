@@ -62,6 +62,18 @@ std::string probability_text(const sim::Figure& p) {
   return p.exact ? sim::decimal(*p.exact, 6) : fmt::format("{:.6f}", p.value);
 }
 
+/// Roads and conflicts take the whole chain of a profile, which lumping does without: nothing where it is too
+/// large.
+template <class Found, class Work>
+std::optional<Found> within_size(const Work& work) {
+  try {
+    return work();
+  } catch (const util::LimitExceeded& limit) {
+    if (limit.kind() != util::LimitExceeded::Kind::Size) throw;
+    return std::nullopt;
+  }
+}
+
 class Job {
  public:
   Job(const Scenario& scenario, const RunOptions& options, util::Budget& budget)
@@ -228,9 +240,10 @@ class Job {
     const sim::ReactionDistance distance = sim::reaction_distance(found.figures);
     chart.reaction = number(distance.mean);
     if (distance.when_it_reacts) chart.reaction_when_it_reacts = number(*distance.when_it_reacts);
-    if (found.exact.probability.size() == found.categories.size())
-      chart.conflict =
-          maybe(conflict_probability(scenario_, world_, profile, *candidate.machine, entity, budget_));
+    chart.conflict =
+        maybe(within_size<std::optional<sim::Rational>>([&] {
+                return conflict_probability(scenario_, world_, profile, *candidate.machine, entity, budget_);
+              }).value_or(std::nullopt));
     return chart;
   }
 
@@ -298,13 +311,31 @@ class Job {
     return value ? std::optional(number(*value)) : std::nullopt;
   }
 
+  void note_road_too_large(const RoadPart& road, const ProfilePart& profile) {
+    add_notes(
+        {{util::Severity::Warning,
+          road.name.location,
+          "road-too-large",
+          fmt::format(
+              "the road '{}' is not driven under {}: that takes the profile's whole chain, which is too "
+              "large",
+              road.name.text, profile.spec.name),
+          "fewer features, or fewer cells",
+          {}}});
+  }
+
   void drive_along(const RoadPart& road) {
     report::Road described{road.name.text, road.title, describe_road(world_, road), road.length};
     for (const ProfilePart& profile : scenario_.profiles)
       for (const Candidate& candidate : candidates_) {
         if (!candidate.machine) continue;
-        const RoadEvaluation found =
-            evaluate_road(scenario_, world_, profile, road, *candidate.machine, budget_);
+        const auto driven = within_size<RoadEvaluation>(
+            [&] { return evaluate_road(scenario_, world_, profile, road, *candidate.machine, budget_); });
+        if (!driven) {
+          note_road_too_large(road, profile);
+          continue;
+        }
+        const RoadEvaluation& found = *driven;
         report::Drive drive{profile.spec.name, candidate.part->name.text, number(found.needless),
                             number(found.misses)};
         drive.conflict = maybe(found.conflict);
@@ -316,7 +347,7 @@ class Job {
         }
         described.drives.push_back(std::move(drive));
       }
-    result_.roads.push_back(std::move(described));
+    if (!described.drives.empty()) result_.roads.push_back(std::move(described));
   }
 
   void fill_speed(std::size_t entity) {
