@@ -255,6 +255,7 @@ class Extractor {
 
   /// What is left of the rules of one goal after a step: the key of the state that the step leads to.
   Cofactors::Id future_of(const End& end) {
+    const std::size_t goal = end.goal;
     const auto [known, fresh] = keys_.try_emplace(end, Cofactors::none);
     if (!fresh) return known->second;
     const std::span<const Bdd> all = future_.functions(end.future);
@@ -266,7 +267,7 @@ class Extractor {
         left.push_back(function.is_constant() ? function : function.cofactor(cube));
     };
     put_in(all.first(1));
-    put_in(all.subspan(1 + updates_ + 3 * end.goal, 3));
+    put_in(all.subspan(1 + updates_ + 3 * goal, 3));
     put_in(all.subspan(1, updates_));
     return known->second = state_.root(left);
   }
