@@ -208,6 +208,7 @@ awareness::Recognition recognise(const ControllerPart& part, const awareness::Ca
 World load_world(const Scenario& scenario, const util::Limits& limits, util::Budget& budget) {
   World world;
   world.knowledge = load_knowledge(scenario.knowledge, limits, budget);
+  refuse_left_out(world.knowledge, scenario.knowledge);
   refuse_unsatisfiable(world.knowledge, scenario.knowledge);
   const PlantPart& plant = scenario.plant;
   const auto plant_file = [&] { return util::read_file(plant.path.text, limits); };

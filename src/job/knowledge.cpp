@@ -2,6 +2,7 @@
 
 #include <heed/awareness/explain.h>
 #include <heed/job/knowledge.h>
+#include <heed/owl/left_out.h>
 #include <heed/owl/print.h>
 #include <heed/owl/read.h>
 
@@ -86,6 +87,23 @@ void refuse_unsatisfiable(const Knowledge& knowledge, const KnowledgePart& part)
     error.hint = "mend one of these axioms, or set allow_unsatisfiable = true in [knowledge]";
     throw util::InputError(std::move(error));
   }
+}
+
+void refuse_left_out(const Knowledge& knowledge, const KnowledgePart& part) {
+  if (part.allow_left_out) return;
+  const util::Diagnostic* first = nullptr;
+  std::size_t count = 0;
+  for (const util::Diagnostic& message : knowledge.diagnostics) {
+    if (!owl::leaves_out(message)) continue;
+    if (first == nullptr) first = &message;
+    ++count;
+  }
+  if (first == nullptr) return;
+  util::Diagnostic error = *first;
+  error.severity = util::Severity::Error;
+  if (count > 1) error.message += fmt::format(" (and {} more like it)", count - 1);
+  error.hint = "a controller would not know of it: mend it, or set allow_left_out = true in [knowledge]";
+  throw util::InputError(std::move(error));
 }
 
 }  // namespace heed::job

@@ -57,6 +57,7 @@ KnowledgePart read_knowledge(TomlTable table, const std::string& base) {
   }
   part.allow_missing_imports = table.flag("allow_missing_imports", false);
   part.allow_unsatisfiable = table.flag("allow_unsatisfiable", false);
+  part.allow_left_out = table.flag("allow_left_out", false);
   table.finish();
   return part;
 }

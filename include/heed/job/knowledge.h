@@ -41,4 +41,7 @@ void judge_scenario(const Scenario& scenario, Knowledge& knowledge, util::Diagno
 /// \throws util::InputError "unsatisfiable-entity" when an entity can have no instance, saying which and why.
 void refuse_unsatisfiable(const Knowledge& knowledge, const KnowledgePart& part);
 
+/// \throws util::InputError when reading had to leave an axiom out, with the code and the place of the first.
+void refuse_left_out(const Knowledge& knowledge, const KnowledgePart& part);
+
 }  // namespace heed::job

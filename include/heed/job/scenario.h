@@ -34,7 +34,7 @@ struct KnowledgePart {
   std::vector<Word> sufficient_entities;
   std::string language = "en";
   std::vector<std::pair<std::string, std::string>> imports;
-  bool allow_missing_imports = false, allow_unsatisfiable = false;
+  bool allow_missing_imports = false, allow_unsatisfiable = false, allow_left_out = false;
 };
 
 struct InputPart {
