@@ -7,7 +7,7 @@
 
 namespace heed::strategy {
 
-Cofactors::Cofactors(bdd::Manager& manager, std::vector<bdd::Var> order, std::size_t width)
+Cofactors::Cofactors(bdd::Manager& manager, const std::vector<bdd::Var>& order, std::size_t width)
     : width_(width), table_(64, none), rest_(width) {
   literals_.reserve(order.size());
   for (const bdd::Var variable : order)

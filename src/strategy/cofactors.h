@@ -20,7 +20,7 @@ class Cofactors {
   static constexpr Id none = static_cast<Id>(-1);
 
   /// \param width  How many functions a vector has.
-  Cofactors(bdd::Manager& manager, std::vector<bdd::Var> order, std::size_t width);
+  Cofactors(bdd::Manager& manager, const std::vector<bdd::Var>& order, std::size_t width);
 
   /// The number of \p functions before any variable has its value. \pre width many
   Id root(std::span<const bdd::Bdd> functions) { return intern(0, functions); }
