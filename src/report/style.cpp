@@ -172,12 +172,13 @@ constexpr std::string_view print = R"css(
   thead { display: table-header-group; }
   .scroll { overflow: visible; }
   .scroll table { min-width: 100%; }
+  .scroll th, .scroll td { padding-inline: .3em; }
   .errors { font-size: .68rem; }
   .errors th, .errors td { padding: .3em .25em; }
   .errors thead th.n { font-size: .6rem; min-width: 0; }
   .errors tbody th[scope=row] { min-width: 7rem; max-width: 11rem; position: static; }
   .errors .what { font-size: .6rem; }
-  .exact { font-size: .7rem; }
+  .exact { font-size: .62rem; }
   .cards { grid-template-columns: repeat(3, 1fr); gap: .8rem; }
   .pairs { grid-template-columns: 1fr; row-gap: 1rem; }
   .charts { grid-template-columns: repeat(2, 1fr); }
