@@ -48,6 +48,15 @@ bool ManchesterExpressions::is_data_property(Iri property) const {
 }
 
 Iri ManchesterExpressions::name() {
+  lexer_.peek();
+  const std::size_t offset = lexer_.offset();
+  const Iri out = any_name();
+  if (names_.iris().text(out).starts_with("_:"))
+    lexer_.fail(offset, "syntax", "an anonymous individual stands where a class or property is expected");
+  return out;
+}
+
+Iri ManchesterExpressions::any_name() {
   const char c = lexer_.peek();
   const std::size_t offset = lexer_.offset();
   if (c == '<') return names_.full(lexer_.iri(), offset);
@@ -65,7 +74,7 @@ Iri ManchesterExpressions::name() {
 }
 
 Iri ManchesterExpressions::individual() {
-  const Iri out = name();
+  const Iri out = any_name();
   names_.use(EntityKind::NamedIndividual, out);
   return out;
 }
@@ -196,7 +205,7 @@ std::optional<ManchesterExpressions::Operand> ManchesterExpressions::primary(Lev
   if (lexer_.next_word() == "inverse") return restriction_of(level, property(), offset);
   const Iri subject = name();
   if (restriction_word_follows()) return restriction_of(level, {subject, false}, offset);
-  return named(level, subject, offset);
+  return named(level, subject);
 }
 
 std::optional<ManchesterExpressions::Operand> ManchesterExpressions::restriction_of(Level& level,
@@ -235,10 +244,7 @@ std::optional<ManchesterExpressions::Operand> ManchesterExpressions::restriction
   return std::nullopt;
 }
 
-std::optional<ManchesterExpressions::Operand> ManchesterExpressions::named(Level& level, Iri subject,
-                                                                           std::size_t offset) {
-  if (names_.iris().text(subject).starts_with("_:"))
-    lexer_.fail(offset, "syntax", "an anonymous individual stands where a class is expected");
+std::optional<ManchesterExpressions::Operand> ManchesterExpressions::named(Level& level, Iri subject) {
   if (lexer_.peek() == '[') return facets(subject);
   const bool known_class = names_.kinds().has(EntityKind::Class, subject);
   if (wants_data(level) || (!known_class && is_datatype(subject, names_.kinds(), names_.iris()))) {

@@ -20,6 +20,7 @@ class ManchesterExpressions {
   ObjectProperty property();  ///< `p`, `inverse p`, `inverse (p)`
   Iri individual();
   Iri name();         ///< `<iri>`, `p:name` or `name`
+  Iri any_name();     ///< The same, or an anonymous individual.
   Literal literal();  ///< \pre at_literal()
   [[nodiscard]] bool at_literal();
   [[nodiscard]] bool is_data_property(Iri property) const;
@@ -47,7 +48,7 @@ class ManchesterExpressions {
   bool operand_begins();
   std::optional<Operand> primary(Level& level);
   std::optional<Operand> restriction_of(Level& level, ObjectProperty property, std::size_t offset);
-  std::optional<Operand> named(Level& level, Iri name, std::size_t offset);
+  std::optional<Operand> named(Level& level, Iri name);
   Operand braces(bool data);
   DataRange facets(Iri datatype);
   Operand with_prefix(const Prefix& prefix, Operand operand);

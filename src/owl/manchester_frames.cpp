@@ -46,10 +46,7 @@ void ManchesterFrames::emit(AxiomContent content, std::vector<Annotation> notes,
 }
 
 Iri ManchesterFrames::entity(EntityKind kind) {
-  const std::size_t offset = lexer_.offset();
-  const Iri out = read_.name();
-  if (kind != EntityKind::NamedIndividual && names_.iris().text(out).starts_with("_:"))
-    lexer_.fail(offset, "syntax", "an anonymous individual stands where a class or property is expected");
+  const Iri out = kind == EntityKind::NamedIndividual ? read_.any_name() : read_.name();
   names_.use(kind, out);
   return out;
 }
@@ -76,7 +73,7 @@ Annotation ManchesterFrames::annotation(unsigned depth) {
   std::vector<Annotation> inner = annotations(depth + 1);
   const Iri property = entity(EntityKind::AnnotationProperty);
   if (read_.at_literal()) return {property, read_.literal(), std::move(inner)};
-  return {property, read_.name(), std::move(inner)};
+  return {property, read_.any_name(), std::move(inner)};
 }
 
 ManchesterFrames::Subject ManchesterFrames::subject_of(EntityKind kind) {
