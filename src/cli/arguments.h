@@ -2,6 +2,7 @@
 
 #include "table.h"
 
+#include <heed/sim/team.h>
 #include <heed/util/limits.h>
 
 #include <cstdint>
@@ -39,10 +40,16 @@ class Arguments {
                                                     std::uint64_t high) const;
   [[nodiscard]] bool json() const { return has("--json"); }
   [[nodiscard]] util::Limits limits() const;
+  /// The processes that share this command's work; nullptr where there is but this one.
+  [[nodiscard]] sim::Team* team() const { return team_; }
+  void set_team(sim::Team* team) { team_ = team; }
+  /// Whether this is the process that writes.
+  [[nodiscard]] bool writes() const { return team_ == nullptr || team_->rank() == 0; }
 
  private:
   std::vector<std::string> operands_;
   std::map<std::string, std::vector<std::string>> options_;
+  sim::Team* team_ = nullptr;
 };
 
 /// Parses the words after the command's name. \throws UsageError

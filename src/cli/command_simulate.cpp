@@ -141,7 +141,7 @@ std::string file_word(const std::string& name) {
 void write_chain(const Arguments& arguments, const Setting& setting, const job::ProfilePart& profile,
                  const model::Mealy& machine, util::Budget& budget) {
   const std::string format = arguments.text("--chain");
-  if (format.empty()) return;
+  if (format.empty() || !arguments.writes()) return;
   const sim::Product chain =
       job::chain(setting.scenario, setting.world, profile, machine, setting.thing, budget);
   const std::string folder = arguments.text("--output", ".");
@@ -172,6 +172,7 @@ std::optional<Rare> find_rare(const Arguments& arguments, const Setting& setting
   options.category = static_cast<std::uint32_t>(place - found.categories.begin());
   options.seed = setting.options.seed;
   options.confidence = setting.scenario.evaluate->confidence;
+  options.team = arguments.team();
   options.particles =
       static_cast<std::uint32_t>(arguments.number("--particles", 1, 100'000'000).value_or(options.particles));
   return Rare{
@@ -304,11 +305,14 @@ int simulate_command(const Arguments& arguments) {
   setting.options.traces = arguments.number("--traces", 0, 1'000'000'000'000).value_or(usual);
   setting.options.seed = arguments.number("--seed", 0, INT64_MAX).value_or(scenario.evaluate->seed);
   setting.options.threads = static_cast<unsigned>(arguments.number("--threads", 1, 256).value_or(1));
+  setting.options.team = arguments.team();
   Json documents = Json::array();
   for (std::size_t i = 1; i < arguments.operands().size(); ++i) {
     const AnyController controller = read_controller(arguments.operands()[i], limits);
     simulate_controller(arguments, setting, controller, budget, documents);
   }
+  // One document: none before all have come through.
+  if (sim::Team* const team = arguments.team()) team->sum({});
   if (arguments.json()) {
     Json out;
     out["seed"] = setting.options.seed;

@@ -1,6 +1,7 @@
 #include "arguments.h"
 #include "help.h"
 #include "output.h"
+#include "ranks.h"
 #include "table.h"
 
 #include <heed/util/diagnostic.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <csignal>
 #include <exception>
+#include <memory>
 #include <new>
 
 namespace {
@@ -40,18 +42,22 @@ util::Diagnostic with_line(const util::Diagnostic& told) {
   }
 }
 
-/// A message in the form that was asked for: text to standard error, or the one JSON document to standard
-/// output.
-int fail(bool json, int code, const util::Diagnostic& diagnostic) {
-  if (json) {
-    cli::Json out;
-    out["error"] = cli::to_json(diagnostic);
-    out["exit_code"] = code;
-    cli::print_json(out);
-  } else {
-    fmt::print(stderr, "{}\n", util::to_string(with_line(diagnostic)));
-  }
-  return code;
+/// A message in the form that was asked for: text, or the one JSON document.
+cli::Ending failure(bool json, int code, const util::Diagnostic& diagnostic) {
+  if (!json) return {code, true, util::to_string(with_line(diagnostic)) + '\n'};
+  cli::Json out;
+  out["error"] = cli::to_json(diagnostic);
+  out["exit_code"] = code;
+  return {code, true, cli::to_text(out)};
+}
+
+/// Text to standard error, JSON to standard output.
+int finish(bool json, const cli::Ending& ending) {
+  if (json)
+    cli::print(ending.message);
+  else
+    fmt::print(stderr, "{}", ending.message);
+  return ending.code;
 }
 
 util::Diagnostic plain(std::string code, std::string message, std::string hint = {}) {
@@ -72,22 +78,38 @@ std::string hint_for(util::LimitExceeded::Kind kind) {
   return {};
 }
 
+template <class Work>
+cli::Ending attempt(bool json, const Work& work) {
+  try {
+    return {work(), false, {}};
+  } catch (const cli::PeerFailed&) {
+    return {};
+  } catch (const cli::UsageError& error) {
+    return failure(json, bad_input, plain("usage", error.what(), error.hint()));
+  } catch (const util::InputError& error) {
+    return failure(json, bad_input, error.diagnostic());
+  } catch (const util::LimitExceeded& error) {
+    return failure(json, limit_reached, plain("limit", error.what(), hint_for(error.kind())));
+  } catch (const std::bad_alloc&) {
+    return failure(json, limit_reached, plain("limit", "out of memory"));
+  } catch (const std::exception& error) {
+    return failure(
+        json, internal_error,
+        plain("internal", error.what(), "this is a defect of heed; please report it with the input"));
+  }
+}
+
 int run(const cli::Command& command, const std::vector<std::string>& words) {
   const bool json = std::find(words.begin(), words.end(), "--json") != words.end();
-  try {
-    return command.run(cli::parse_arguments(command, words));
-  } catch (const cli::UsageError& error) {
-    return fail(json, bad_input, plain("usage", error.what(), error.hint()));
-  } catch (const util::InputError& error) {
-    return fail(json, bad_input, error.diagnostic());
-  } catch (const util::LimitExceeded& error) {
-    return fail(json, limit_reached, plain("limit", error.what(), hint_for(error.kind())));
-  } catch (const std::bad_alloc&) {
-    return fail(json, limit_reached, plain("limit", "out of memory"));
-  } catch (const std::exception& error) {
-    return fail(json, internal_error,
-                plain("internal", error.what(), "this is a defect of heed; please report it with the input"));
-  }
+  std::unique_ptr<cli::Ranks> ranks;
+  cli::Ending ending = attempt(json, [&] {
+    if (command.shared) ranks = cli::Ranks::join();
+    cli::Arguments arguments = cli::parse_arguments(command, words);
+    arguments.set_team(ranks.get());
+    return command.run(arguments);
+  });
+  if (ranks) ending = ranks->end(std::move(ending));
+  return finish(json, ending);
 }
 
 const cli::Command* find(const std::string& name) {
@@ -100,9 +122,9 @@ const cli::Command* find(const std::string& name) {
 int unknown_command(const std::string& name, bool json) {
   std::vector<std::string> names;
   for (const cli::Command& command : cli::commands()) names.emplace_back(command.name);
-  return fail(
-      json, bad_input,
-      plain("usage", fmt::format("there is no command '{}'", name), util::suggestion(name, names, 20)));
+  return finish(json, failure(json, bad_input,
+                              plain("usage", fmt::format("there is no command '{}'", name),
+                                    util::suggestion(name, names, 20))));
 }
 
 }  // namespace

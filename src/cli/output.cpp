@@ -11,8 +11,12 @@ void print(std::string_view text) {
   std::fflush(stdout);
 }
 
+std::string to_text(const Json& document) {
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
 void print_json(const Json& document) {
-  print(document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  print(to_text(document));
 }
 
 void print_diagnostics(const util::Diagnostics& diagnostics, std::size_t most_notes) {

@@ -32,6 +32,7 @@ struct Command {
   std::vector<Option> options;
   std::string_view example;
   std::function<int(const Arguments&)> run;
+  bool shared = false;  ///< Processes that one mpirun started share its work.
 };
 
 /// Options that every command has.

@@ -315,6 +315,7 @@ void draw_samples(const sim::Run& run, const EvaluateOptions& options, Evaluatio
   sampling.traces = options.traces;
   sampling.seed = options.seed;
   sampling.threads = options.threads;
+  sampling.team = options.team;
   const sim::Sampler sampler(run, budget);
   if (options.width <= 0) {
     evaluation.sampled = sampler.sample(sampling, budget);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <functional>
@@ -37,8 +38,7 @@ class Splitting {
     RareEstimate result;
     std::vector<double> products, reached(run_.chain.cells);
     result.survival.resize(run_.chain.cells);
-    for (std::uint32_t r = 0; r < options_.replicates; ++r) {
-      const std::vector<double> shares = replicate(r);
+    for (const std::vector<double>& shares : replicates()) {
       for (std::size_t cell = 0; cell < shares.size(); ++cell) {
         result.survival[cell] += shares[cell];
         ++reached[cell];
@@ -53,6 +53,33 @@ class Splitting {
   }
 
  private:
+  /// The shares of each repetition, whoever of the team does it.
+  std::vector<std::vector<double>> replicates() {
+    const unsigned size = options_.team == nullptr ? 1 : options_.team->size();
+    const unsigned rank = options_.team == nullptr ? 0 : options_.team->rank();
+    std::vector<std::vector<double>> found(options_.replicates);
+    for (std::uint32_t r = rank; r < options_.replicates; r += size) found[r] = replicate(r);
+    if (options_.team != nullptr) gather(found);
+    return found;
+  }
+
+  /// What each member has found, to all: as bits, so that none is lost in adding zeros.
+  void gather(std::vector<std::vector<double>>& found) const {
+    const std::size_t row = std::size_t{1} + run_.chain.cells;
+    std::vector<std::uint64_t> bits(found.size() * row);
+    for (std::size_t r = 0; r < found.size(); ++r) {
+      bits[r * row] = found[r].size();
+      for (std::size_t cell = 0; cell < found[r].size(); ++cell)
+        bits[r * row + 1 + cell] = std::bit_cast<std::uint64_t>(found[r][cell]);
+    }
+    options_.team->sum(bits);
+    for (std::size_t r = 0; r < found.size(); ++r) {
+      found[r].resize(bits[r * row]);
+      for (std::size_t cell = 0; cell < found[r].size(); ++cell)
+        found[r][cell] = std::bit_cast<double>(bits[r * row + 1 + cell]);
+    }
+  }
+
   /// The share that survives each cell; ends with the cell that nobody survives.
   std::vector<double> replicate(std::uint32_t number) {
     Particle start;

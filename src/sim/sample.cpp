@@ -167,9 +167,37 @@ Sampler::~Sampler() = default;
 Sampler::Sampler(Sampler&&) noexcept = default;
 Sampler& Sampler::operator=(Sampler&&) noexcept = default;
 
+namespace {
+
+/// The traces of \p options that fall to this member of its team.
+SampleOptions share_of(SampleOptions options) {
+  const std::uint64_t size = options.team->size(), rank = options.team->rank();
+  const std::uint64_t each = options.traces / size, more = options.traces % size;
+  options.first += each * rank + std::min(rank, more);
+  options.traces = each + (rank < more ? 1 : 0);
+  return options;
+}
+
+void add_up(SampleOutcome& outcome, Team& team) {
+  std::vector<std::uint64_t> numbers = outcome.count;
+  numbers.insert(numbers.end(), {outcome.undefined, outcome.missing, outcome.fallback, outcome.traces});
+  team.sum(numbers);
+  const auto rest = numbers.begin() + static_cast<std::ptrdiff_t>(outcome.count.size());
+  outcome = {{numbers.begin(), rest}, rest[0], rest[1], rest[2], rest[3]};
+}
+
+}  // namespace
+
+SampleOutcome Sampler::sample(const SampleOptions& options, util::Budget& budget) const {
+  if (options.team == nullptr) return draw(options, budget);
+  SampleOutcome outcome = draw(share_of(options), budget);
+  add_up(outcome, *options.team);
+  return outcome;
+}
+
 // The calling thread does the first part and alone asks the budget, which is not made for several; when it
 // gives up, the others see the flag.
-SampleOutcome Sampler::sample(const SampleOptions& options, util::Budget& budget) const {
+SampleOutcome Sampler::draw(const SampleOptions& options, util::Budget& budget) const {
   const unsigned wanted =
       options.threads == 0 ? std::max(1U, std::thread::hardware_concurrency()) : options.threads;
   const auto parts = static_cast<unsigned>(std::clamp<std::uint64_t>(options.traces / 4096, 1, wanted));

@@ -79,6 +79,7 @@ struct EvaluateOptions {
   unsigned threads = 1;
   bool never_apart = false;
   double width = 0;  ///< Above 0: sample until every interval is that narrow, at most `traces` times.
+  sim::Team* team = nullptr;  ///< Shares the sampling.
 };
 [[nodiscard]] Evaluation evaluate(const Scenario& scenario, const World& world, const ProfilePart& profile,
                                   const model::Mealy& machine, Thing thing, const EvaluateOptions& options,

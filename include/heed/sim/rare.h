@@ -2,6 +2,7 @@
 
 #include <heed/sim/run.h>
 #include <heed/sim/statistics.h>
+#include <heed/sim/team.h>
 #include <heed/util/limits.h>
 
 #include <cstdint>
@@ -15,6 +16,7 @@ struct RareOptions {
   std::uint32_t replicates = 16;     ///< Independent repetitions, which give the error. At least 2.
   std::uint64_t seed = 1;
   double confidence = 0.95;
+  Team* team = nullptr;  ///< Others that do their part of the repetitions; never changes a bit of the result.
 };
 
 struct RareEstimate {

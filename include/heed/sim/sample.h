@@ -1,6 +1,7 @@
 #pragma once
 
 #include <heed/sim/run.h>
+#include <heed/sim/team.h>
 #include <heed/util/limits.h>
 
 #include <cstdint>
@@ -15,6 +16,7 @@ struct SampleOptions {
   std::uint64_t first =
       0;                 ///< Index of the first trace: ranges put together are one run, on whatever machines.
   unsigned threads = 1;  ///< 0 = as many as the hardware has. Never changes a count.
+  Team* team = nullptr;  ///< Others that draw their part of the traces; never changes a count, either.
 };
 
 /// Counts over the traces; `count` and `undefined` add up to `traces`. Meanings as in ExactOutcome.
@@ -41,7 +43,7 @@ class Sampler {
   Sampler(Sampler&&) noexcept;
   Sampler& operator=(Sampler&&) noexcept;
 
-  /// \throws util::LimitExceeded  Time or cancellation.
+  /// \throws util::LimitExceeded  Time or cancellation; what SampleOptions::team throws.
   [[nodiscard]] SampleOutcome sample(const SampleOptions& options, util::Budget& budget) const;
   /// What trace \p index reports, per cell (bits as in Chain::Step::seen): the same trace that sample()
   /// counts.
@@ -49,6 +51,7 @@ class Sampler {
 
  private:
   struct Tables;
+  [[nodiscard]] SampleOutcome draw(const SampleOptions& options, util::Budget& budget) const;
   std::unique_ptr<const Tables> tables_;
 };
 

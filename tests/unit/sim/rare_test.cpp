@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "unit/sim/case_study.h"
+#include "unit/sim/thread_team.h"
 
 namespace heed::sim {
 namespace {
@@ -92,6 +93,28 @@ TEST(Rare, WhatNeverComesIsExtinct) {
   const RareEstimate found = estimate(impossible.run(), 2, 1);
   EXPECT_EQ(found.probability, 0);
   EXPECT_EQ(found.extinct, 16U);
+}
+
+TEST(Rare, TeamsNeverChangeABit) {
+  const Overlooked road(12);
+  for (const std::uint32_t category : {0U, 1U}) {
+    const RareEstimate alone = estimate(road.run(), category, 3, 300);
+    for (const unsigned size : {2U, 4U, 20U})
+      ThreadTeam(size).run([&](Team& team) {
+        util::Budget budget;
+        RareOptions options;
+        options.particles = 300;
+        options.category = category;
+        options.seed = 3;
+        options.team = &team;
+        const RareEstimate shared = estimate_rare(road.run(), options, budget);
+        EXPECT_EQ(shared.probability, alone.probability);
+        EXPECT_EQ(shared.standard_error, alone.standard_error);
+        EXPECT_EQ(shared.interval.low, alone.interval.low);
+        EXPECT_EQ(shared.extinct, alone.extinct);
+        EXPECT_EQ(shared.survival, alone.survival);
+      });
+  }
 }
 
 TEST(Width, StopsWhenEveryIntervalIsNarrowEnough) {

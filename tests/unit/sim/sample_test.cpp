@@ -8,6 +8,7 @@
 
 #include "../src/sim/sample_tables.h"
 #include "unit/sim/case_study.h"
+#include "unit/sim/thread_team.h"
 
 namespace heed::sim {
 namespace {
@@ -125,6 +126,24 @@ TEST(Sample, ThreadsNeverChangeACount) {
       options.threads = threads;
       EXPECT_EQ(sampled.draw(options), one);
     }
+  }
+}
+
+TEST(Sample, TeamsNeverChangeACount) {
+  const Chart chart = patchy(6);
+  util::Budget budget;
+  const Sampler sampler(chart.run(), budget);
+  for (const std::uint64_t traces : {0U, 2U, 10'007U}) {
+    SampleOptions options{traces, 5, 11, 1, nullptr};
+    const SampleOutcome alone = sampler.sample(options, budget);
+    for (const unsigned size : {1U, 2U, 4U})
+      ThreadTeam(size).run([&](Team& team) {
+        util::Budget own;
+        SampleOptions shared = options;
+        shared.team = &team;
+        shared.threads = team.rank() + 1;
+        EXPECT_EQ(sampler.sample(shared, own), alone) << size << " members, " << traces << " traces";
+      });
   }
 }
 
