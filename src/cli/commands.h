@@ -14,6 +14,7 @@ int verify_command(const Arguments& arguments);
 int simulate_command(const Arguments& arguments);
 int tune_command(const Arguments& arguments);
 int play_command(const Arguments& arguments);
+int drive_command(const Arguments& arguments);
 int export_command(const Arguments& arguments);
 int exec_command(const Arguments& arguments);
 int version_command(const Arguments& arguments);

@@ -53,6 +53,20 @@ Command tune_entry() {
           tune_command};
 }
 
+Command drive_entry() {
+  return {"drive",
+          "Drive the controllers in a simulator of traffic (SUMO), with cars behind them",
+          {{"SCENARIO", "Scenario file; its table [drive] says how (docs/formats/drive.md)"}},
+          {{"--output", "DIR", "out/<scenario>", "", "Folder for tables and pictures"},
+           controller_option,
+           {"--profile", "NAME", "all", "", "Only this profile of the scenario"},
+           {"--thing", "NAME", "the scenario's", "", "Entity at the line, or \"none\""},
+           {"--roads", "N", "the scenario's, else 1000", "1 ... 100000", "Roads per controller and profile"},
+           {"--seed", "N", "the scenario's", "0 ... 2^63-1", "Seed of what is seen, and of the cars behind"}},
+          "heed drive examples/stop-sign/stop-sign.toml --profile P2",
+          drive_command};
+}
+
 std::vector<Command> scenario_commands() {
   return {
       {"run",
@@ -73,6 +87,7 @@ std::vector<Command> scenario_commands() {
         {"--seed", "N", "the scenario's", "0 ... 2^32-1", "Seed of the first run that the page draws"}},
        "heed play examples/stop-sign/stop-sign.toml -o play.html",
        play_command},
+      drive_entry(),
       {"kb",
        "Show what is known: hierarchy, catalogue, warnings",
        {{"ONTOLOGY", "OWL file, or a scenario"}},

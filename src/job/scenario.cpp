@@ -1,5 +1,6 @@
 #include "toml_table.h"
 
+#include "scenario_drive.h"
 #include "scenario_profile.h"
 
 #include <heed/awareness/policy.h>
@@ -235,7 +236,7 @@ Scenario read_scenario(const util::SourceText& source, const util::Limits& limit
   const toml::table parsed = parse_toml(source);
   TomlTable root(parsed, std::make_shared<const std::string>(source.name()), "");
   root.allow({"name", "description", "knowledge", "perception", "plant", "task", "bind", "controller",
-              "profile", "evaluate", "road"});
+              "profile", "evaluate", "road", "drive"});
   Scenario scenario;
   scenario.path = source.name();
   scenario.name = root.text("name", std::filesystem::path(source.name()).stem().string());
@@ -275,6 +276,7 @@ Scenario read_scenario(const util::SourceText& source, const util::Limits& limit
     throw util::InputError(scenario.roads.front().name.location, "missing-key",
                            "a [[road]] needs a [[profile]] to say what is seen along it",
                            "add [[profile]] and [evaluate]");
+  scenario.drive = read_drive(root, scenario.evaluate, limits);
   root.finish();
   return scenario;
 }

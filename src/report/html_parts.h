@@ -11,6 +11,8 @@
 namespace heed::report {
 
 [[nodiscard]] std::string_view style_sheet();
+/// What a picture needs of it that is a document of its own.
+[[nodiscard]] std::string picture_style();
 
 void write_answer(Markup& page, const RunResult& result);
 void write_ontology(Markup& page, const RunResult& result);

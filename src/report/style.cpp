@@ -200,4 +200,8 @@ std::string_view style_sheet() {
   return all;
 }
 
+std::string picture_style() {
+  return std::string(colours) + std::string(charts);
+}
+
 }  // namespace heed::report

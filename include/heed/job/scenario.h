@@ -2,6 +2,7 @@
 
 #include <heed/logic/formula.h>
 #include <heed/sim/profile.h>
+#include <heed/sim/traffic.h>
 #include <heed/strategy/synthesize.h>
 #include <heed/util/limits.h>
 #include <heed/util/source.h>
@@ -121,6 +122,21 @@ struct EvaluatePart {
   bool speed_wanted = false;  ///< Where one of the two is given: the machine is one that brakes on a road.
 };
 
+/// A slower speed, and when it is kept.
+struct SpeedLevelPart {
+  WrittenFormula when;
+  double speed = 0;  ///< m/s.
+};
+
+/// How the controllers are driven in a simulator of traffic (docs/formats/drive.md).
+struct DrivePart {
+  std::optional<WrittenFormula> stop;  ///< Holds in the step from which the car brakes; none: the event.
+  std::vector<SpeedLevelPart> slow;    ///< The first one that holds counts, unless the car stops.
+  std::uint32_t roads = 1000;
+  std::optional<std::uint64_t> seed;  ///< None: that of [evaluate].
+  sim::RoadSetting setting;           ///< Its `cells` are the profile's.
+};
+
 /// One scenario file, syntax and words checked; names of the ontology and the plant are resolved by whoever
 /// loads these.
 struct Scenario {
@@ -136,6 +152,7 @@ struct Scenario {
   std::vector<ProfilePart> profiles;
   std::optional<EvaluatePart> evaluate;
   std::vector<RoadPart> roads;
+  DrivePart drive;
 };
 
 /// Reads a scenario (docs/formats/scenario.md). Paths inside are resolved against its folder. \throws
