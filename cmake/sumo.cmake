@@ -1,7 +1,7 @@
 # SUMO for `heed drive`, as a module that is loaded only there: its library brings some 200 others, which take longer to load than
 # most commands do. Elsewhere the program has everything but that command, which says what is missing.
 find_package(SUMO QUIET HINTS /usr/share/sumo/cmake)
-if(TARGET SUMO::libsumocpp)
+if(TARGET SUMO::libsumocpp AND NOT HEED_SANITIZE)  # sanitizers look at this program, not at SUMO
   set(sumo_found ON)
 endif()
 option(HEED_SUMO "heed drive: closed loop in SUMO, a module that is loaded only there" ${sumo_found})

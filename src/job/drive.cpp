@@ -168,6 +168,10 @@ class Driver {
       throw util::InputError(util::Location{}, "missing-key",
                              "the scenario has no [[profile]] and [evaluate]",
                              "they say what is seen and what counts");
+    if (!scenario_.drive.wanted)
+      throw util::InputError(util::Location{}, "no-road",
+                             "the scenario does not say that its machine drives on a road, nor how fast",
+                             "add [drive] with cell_metres and speed_kmh (docs/formats/drive.md)");
     parts_ = chosen<ControllerPart>(scenario_.controllers, options_.controllers, "controller",
                                     [](const ControllerPart& part) { return part.name.text; });
     profiles_ = chosen<ProfilePart>(scenario_.profiles, options_.profiles, "profile",
@@ -284,9 +288,7 @@ class Driver {
       progress(fmt::format("drive {} under {}", machine.name, profile.spec.name),
                static_cast<double>(result.runs.size()) / all);
       crew.board(sampler, result.seed, batch);
-      const auto driven = sim::drive_roads(
-          *engine_, setting, batch, [&](std::uint32_t i, std::uint32_t cell) { return crew.decide(i, cell); },
-          budget_);
+      const auto driven = drive_batch(setting, batch, crew);
       for (std::uint32_t i = 0; i < batch.count; ++i) {
         report::DriveRoad one = describe(sim::measure(driven[i], setting));
         one.road = batch.first + i;
@@ -297,6 +299,17 @@ class Driver {
       }
     }
     result.runs.push_back(std::move(out));
+  }
+
+  std::vector<sim::Trajectory> drive_batch(const sim::RoadSetting& setting, const sim::RoadBatch& batch,
+                                           Crew& crew) {
+    const auto decide = [&](std::uint32_t road, std::uint32_t cell) { return crew.decide(road, cell); };
+    try {
+      return sim::drive_roads(*engine_, setting, batch, decide, budget_);
+    } catch (const sim::TrafficError& error) {
+      throw util::InputError(util::Location{}, "simulator", error.what(),
+                             "it needs a temporary folder that it can write to (TMPDIR)");
+    }
   }
 
   /// The first road of each way to end, of each controller.

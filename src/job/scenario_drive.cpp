@@ -115,8 +115,10 @@ DrivePart read_drive(TomlTable& root, const std::optional<EvaluatePart>& evaluat
   if (evaluate) {
     setting.cell = evaluate->cell_metres;
     setting.speed = evaluate->speed_kmh * kmh;
+    part.wanted = evaluate->speed_wanted;
   }
   if (!root.has("drive")) return part;
+  part.wanted = true;
   TomlTable table = root.table("drive");
   if (!evaluate)
     throw util::InputError(table.location(), "missing-key", "[drive] needs [evaluate] to say what counts",

@@ -130,6 +130,7 @@ struct SpeedLevelPart {
 
 /// How the controllers are driven in a simulator of traffic (docs/formats/drive.md).
 struct DrivePart {
+  bool wanted = false;                 ///< Somewhere it is said that the machine drives on a road.
   std::optional<WrittenFormula> stop;  ///< Holds in the step from which the car brakes; none: the event.
   std::vector<SpeedLevelPart> slow;    ///< The first one that holds counts, unless the car stops.
   std::uint32_t roads = 1000;

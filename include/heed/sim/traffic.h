@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,7 +43,13 @@ struct CarState {
 /// Length of every car, and the gap that a driver keeps at a standstill, in metres.
 inline constexpr double car_length = 5, standstill_gap = 2.5;
 
-/// A simulator of traffic. \throws std::runtime_error  what the simulator itself refuses
+/// The simulator itself refuses something: it cannot write its files, or does not understand them.
+class TrafficError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A simulator of traffic. Each of its functions throws TrafficError.
 class TrafficEngine {
  public:
   TrafficEngine() = default;
@@ -163,7 +170,7 @@ struct RoadBatch {
 
 /// Drives down \p batch in one simulation. \param decide  (road of the batch, cell) to manoeuvre; asked in an
 /// order that depends on where cars are. Cost: roads x cars x steps.
-/// \throws util::LimitExceeded  the budget's; std::runtime_error  of the engine
+/// \throws util::LimitExceeded  the budget's; TrafficError  of the engine
 [[nodiscard]] std::vector<Trajectory> drive_roads(
     TrafficEngine& engine, const RoadSetting& setting, const RoadBatch& batch,
     const std::function<Manoeuvre(std::uint32_t, std::uint32_t)>& decide, util::Budget& budget);

@@ -24,7 +24,7 @@ class Folder {
  public:
   Folder() {
     std::string path = (std::filesystem::temp_directory_path() / "heed-drive-XXXXXX").string();
-    if (mkdtemp(path.data()) == nullptr) throw std::runtime_error("no temporary folder in " + path);
+    if (mkdtemp(path.data()) == nullptr) throw TrafficError("no temporary folder in " + path);
     path_ = path;
   }
   ~Folder() {
@@ -63,7 +63,7 @@ void write_network(const std::string& path, const TrafficPlan& plan) {
         << "\" type=\"dead_end\" x=\"" << length << "\" y=\"" << i * apart << "\" incLanes=\"e" << i
         << "_0\" intLanes=\"\" shape=\"" << length << ',' << i * apart << "\"/>\n";
   out << "</net>\n";
-  if (!out.flush()) throw std::runtime_error("cannot write " + path);
+  if (!out.flush()) throw TrafficError("cannot write " + path);
 }
 
 /// A type for each car: headways differ. Other drivers expect of a driven car what they themselves would do.
@@ -90,7 +90,7 @@ void write_cars(const std::string& path, const TrafficPlan& plan) {
         << "\" depart=\"0\" departPos=\"" << plan.cars[i].position - plan.begin << "\" departSpeed=\""
         << plan.cars[i].speed << "\" insertionChecks=\"none\"/>\n";
   out << "</routes>\n";
-  if (!out.flush()) throw std::runtime_error("cannot write " + path);
+  if (!out.flush()) throw TrafficError("cannot write " + path);
 }
 
 template <class Work>
@@ -98,14 +98,14 @@ auto translated(const Work& work) {
   try {
     return work();
   } catch (const std::exception& error) {  // SUMO's own types end at this module
-    throw std::runtime_error(std::string("SUMO: ") + error.what());
+    throw TrafficError(std::string("SUMO: ") + error.what());
   }
 }
 
 class Sumo final : public TrafficEngine {
  public:
   Sumo() {
-    if (in_use.exchange(true)) throw std::runtime_error("SUMO runs once in a process, and it does already");
+    if (in_use.exchange(true)) throw TrafficError("SUMO runs once in a process, and it does already");
   }
   ~Sumo() override {
     try {

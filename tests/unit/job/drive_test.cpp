@@ -121,6 +121,17 @@ TEST(Drive, WithoutTheSimulatorItSaysSo) {
   }
 }
 
+TEST(Drive, AMachineThatDrivesOnNoRoadIsRefused) {
+  const std::string path = std::string(HEED_SOURCE_DIR) + "/examples/warehouse/warehouse.toml";
+  util::Budget budget;
+  try {
+    (void)drive(read_scenario(util::read_file(path)), {}, budget);
+    FAIL();
+  } catch (const util::InputError& error) {
+    EXPECT_EQ(error.diagnostic().code, "no-road");
+  }
+}
+
 TEST(Drive, NamesAreChecked) {
   DriveOptions options;
   options.profiles = {"P7"};

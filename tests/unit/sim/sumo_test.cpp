@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include "unit/sim/frictionless.h"
 
@@ -112,7 +111,7 @@ TEST(Sumo, DriversBehindBrakeAndHarderBrakingEndangersThemMore) {
 
 TEST(Sumo, OneAtATime) {
   NEEDS_SUMO(engine);
-  EXPECT_THROW((void)load_sumo(HEED_BINARY_DIR "/lib/heed/libheed_sumo.so"), std::runtime_error);
+  EXPECT_THROW((void)load_sumo(HEED_BINARY_DIR "/lib/heed/libheed_sumo.so"), TrafficError);
 }
 
 }  // namespace
