@@ -268,7 +268,7 @@ class Driver {
     if (!made.verdict->verified)
       throw std::logic_error(fmt::format("the check refuses the controller '{}'", part.name.text));
     machines_.push_back(std::move(*made.result.machine));
-    driven_.result.controllers.push_back({part.name.text, part.title});
+    driven_.result.controllers.push_back({part.name.text, part.title, part.beside});
   }
 
   void drive_profile(const ProfilePart& profile, const model::Mealy& machine) {

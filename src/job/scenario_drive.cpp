@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -87,7 +88,8 @@ void read_levels(TomlTable& table, DrivePart& part, const util::Limits& limits) 
 void read_cars(TomlTable& table, sim::RoadSetting& setting) {
   setting.most_deceleration = table.real("most_deceleration", setting.most_deceleration, 0.1, 50);
   setting.comfortable_deceleration =
-      table.real("comfortable_deceleration", setting.comfortable_deceleration, 0.1, 50);
+      table.real("comfortable_deceleration",
+                 std::min(setting.comfortable_deceleration, setting.most_deceleration), 0.1 - 1e-9, 50);
   if (setting.comfortable_deceleration > setting.most_deceleration)
     table.fail("comfortable_deceleration", "out-of-range",
                fmt::format("'comfortable_deceleration' is {}, more than the brakes can do, {}",

@@ -126,6 +126,7 @@ std::string to_json(const DriveResult& result) {
   for (const DriveOutcome& row : side_by_side(result)) outcomes.push_back(outcome_json(result, row));
   for (const DriveRun& run : result.runs) runs.push_back(run_json(result, run));
   for (const auto& [name, version] : result.versions) versions[name] = version;
+  out["headline"] = headline_of(result);
   out["outcomes"] = std::move(outcomes);
   out["runs"] = std::move(runs);
   out["versions"] = std::move(versions);

@@ -11,7 +11,7 @@ namespace heed::report {
 namespace {
 
 constexpr double width = 780, left = 176, right = 524, top = 102, row_height = 44;
-constexpr double abstract_at = 548, driven_at = 650;
+constexpr double abstract_at = 540, driven_at = 650;
 
 class Picture {
  public:

@@ -59,6 +59,30 @@ std::string profile_table(const DriveResult& result, const DriveProfile& profile
   return fmt::format("{}: {}\n{}\n", profile.name, profile.title, table.render(width));
 }
 
+/// What \p counted comes to over all runs of \p controller, in per cent.
+std::string share_of(const DriveResult& result, const DriveController& controller,
+                     std::uint64_t DriveSummary::*counted) {
+  std::uint64_t number = 0, roads = 0;
+  for (const DriveRun& run : result.runs) {
+    if (run.controller != controller.name) continue;
+    const DriveSummary sum = summarise(run, result.outcomes.size());
+    number += sum.*counted;
+    roads += sum.roads;
+  }
+  return count(number, roads);
+}
+
+/// "50.4 % (Base 7.4 %, Perception tree 33.4 %)".
+std::string beside_the_others(const DriveResult& result, const DriveController& subject,
+                              std::uint64_t DriveSummary::*counted) {
+  std::vector<std::string> others;
+  for (const DriveController& other : result.controllers)
+    if (other.name != subject.name)
+      others.push_back(clean(other.title) + ' ' + share_of(result, other, counted));
+  const std::string own = share_of(result, subject, counted);
+  return others.empty() ? own : fmt::format("{} ({})", own, join(others, ", "));
+}
+
 std::string metres_table(const DriveResult& result, std::size_t width) {
   TextTable table({{"outcome", Align::Left, 24},
                    {"cells left", Align::Right},
@@ -72,7 +96,7 @@ std::string metres_table(const DriveResult& result, std::size_t width) {
   for (const DriveOutcome& row : side_by_side(result)) {
     const bool braking = row.distance > 0;
     table.add({result.outcomes[row.outcome], row.cells_left ? std::to_string(*row.cells_left) : "never",
-               braking ? fixed(row.distance, 0) : "-", braking ? fixed(row.deceleration, 2) : "-",
+               braking ? compact(row.distance, 1) : "-", braking ? fixed(row.deceleration, 2) : "-",
                grouped(row.roads), range(row.peak, 2), range(row.halt, 2), count(row.conflicts, row.roads),
                count(row.collisions, row.roads)});
   }
@@ -82,12 +106,33 @@ std::string metres_table(const DriveResult& result, std::size_t width) {
 
 }  // namespace
 
+std::vector<std::string> headline_of(const DriveResult& result) {
+  const DriveController* subject = nullptr;
+  for (const DriveController& controller : result.controllers)
+    if (!controller.beside || subject == nullptr) subject = &controller;
+  if (subject == nullptr) return {};
+  const auto told = [&](std::uint64_t DriveSummary::*counted) {
+    return beside_the_others(result, *subject, counted);
+  };
+  std::vector<std::string> sentences{
+      fmt::format("Of all roads {} halts at the line on {}", clean(subject->title),
+                  told(&DriveSummary::at_line)),
+      fmt::format("It drives past without a halt on {}", told(&DriveSummary::passed)),
+      fmt::format("It brakes harder than {} m/s² on {}", compact(emergency_braking, 1),
+                  told(&DriveSummary::emergencies))};
+  if (result.followers > 0)
+    sentences.push_back(fmt::format("A car behind comes within {} s of a collision on {}",
+                                    compact(result.conflict_seconds, 2), told(&DriveSummary::conflicts)));
+  return sentences;
+}
+
 std::string to_text(const DriveResult& result, std::size_t width) {
   std::string out = wrap(
       fmt::format("{}: {} for each controller and profile, {} km/h, cells of {} m, {} at the line, seed {}",
                   clean(result.scenario), plural(result.roads, "road"), compact(result.speed_kmh, 1),
                   compact(result.cell_metres, 1), clean(result.thing), result.seed),
       width);
+  for (const std::string& sentence : headline_of(result)) out += wrap(sentence, width, "  - ");
   out += '\n';
   for (const DriveProfile& profile : result.profiles) out += profile_table(result, profile, width);
   out += metres_table(result, width);

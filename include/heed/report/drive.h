@@ -44,6 +44,7 @@ struct DriveTrace {
 
 struct DriveController {
   std::string name, title;
+  bool beside = false;  ///< Shown beside the main comparison.
 };
 
 struct DriveProfile {
@@ -94,6 +95,9 @@ struct DriveSummary {
   DriveSpread time_lost{};     ///< Of all.
 };
 [[nodiscard]] DriveSummary summarise(const DriveRun& run, std::size_t outcomes);
+
+/// The answer in sentences: the last controller of the main comparison beside the others, over all profiles.
+[[nodiscard]] std::vector<std::string> headline_of(const DriveResult& result);
 
 /// One abstract outcome, and what became of it in metres, over all runs.
 struct DriveOutcome {

@@ -71,7 +71,7 @@ void write_type(std::ofstream& out, std::size_t index, const TrafficCar& car, do
   out << "<vType id=\"t" << index << "\" length=\"" << car_length << "\" minGap=\"" << standstill_gap
       << "\" accel=\"" << car.acceleration << "\" decel=\"" << car.deceleration << "\" emergencyDecel=\""
       << car.emergency << "\" apparentDecel=\"" << (car.driven ? expected : car.deceleration) << "\" tau=\""
-      << car.headway << "\" sigma=\"0\" speedFactor=\"1\" speedDev=\"0\" maxSpeed=\"100\"";
+      << car.headway << "\" sigma=\"0\" speedFactor=\"1\" speedDev=\"0\" maxSpeed=\"200\"";
   if (car.reaction > 0) out << " actionStepLength=\"" << car.reaction << '"';
   out << "/>\n";
 }

@@ -143,6 +143,22 @@ TEST(DriveReport, PicturesAreWellFormedWhateverTheyAreTold) {
     }
 }
 
+TEST(DriveReport, TheAnswerComesFirst) {
+  DriveResult result = sample();
+  result.controllers[1].beside = true;
+  const auto sentences = headline_of(result);
+  ASSERT_EQ(sentences.size(), 4U);
+  EXPECT_EQ(sentences[0], "Of all roads early halts at the line on 100 % (late 25 %)");
+  EXPECT_EQ(sentences[1], "It drives past without a halt on 0 % (late 25 %)");
+  EXPECT_EQ(sentences[2], "It brakes harder than 6 m/s² on 0 % (late 50 %)");
+  EXPECT_EQ(sentences[3], "A car behind comes within 1 s of a collision on 0 % (late 50 %)");
+  result.controllers[1].beside = false;
+  EXPECT_EQ(headline_of(result)[0], "Of all roads late halts at the line on 25 % (early 100 %)");
+  result.followers = 0;
+  EXPECT_EQ(headline_of(result).size(), 3U) << "nobody behind, nothing to say of them";
+  EXPECT_TRUE(headline_of({}).empty());
+}
+
 TEST(DriveReport, TheTextFitsItsWidth) {
   const std::string text = to_text(sample("a controller with a very long name, longer than any column"));
   EXPECT_NE(text.find("10.7"), std::string::npos);
