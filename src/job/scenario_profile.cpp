@@ -98,6 +98,36 @@ void read_feature(TomlTable& table, ProfilePart& part, const util::Limits& limit
   part.spec.features.push_back(std::move(feature));
 }
 
+/// What a feature is taken for need not be there itself.
+void read_misreading(TomlTable& table, ProfilePart& part) {
+  sim::Misreading misreading;
+  const Word of = table.word("of"), as = table.word("as");
+  misreading.of = of.text;
+  misreading.as = as.text;
+  misreading.location = of.location;
+  if (!table.has("probability")) (void)table.scalar("probability");  // says that it is missing
+  std::tie(misreading.probability, misreading.probability_at_end) = rate(table, "probability", 0);
+  const Word per = table.optional_word("per").value_or(Word{"cell", table.location()});
+  if (per.text != "cell" && per.text != "approach")
+    throw util::InputError(per.location, "unknown-word",
+                           fmt::format("a misreading is per cell or per approach, not '{}'", per.text),
+                           util::suggestion(per.text, {"cell", "approach"}));
+  misreading.per_approach = per.text == "approach";
+  if (misreading.per_approach && misreading.probability_at_end)
+    table.fail("probability", "wrong-type", "what is decided once has one probability",
+               "leave out per, or give one number");
+  table.finish();
+  const bool known = std::any_of(part.spec.features.begin(), part.spec.features.end(),
+                                 [&](const sim::FeatureSpec& f) { return f.name == as.text; });
+  if (!known) {
+    sim::FeatureSpec feature{as.text, sim::FixedOnset{}};
+    feature.absent = true;
+    feature.location = as.location;
+    part.spec.features.push_back(std::move(feature));
+  }
+  part.spec.misreadings.push_back(std::move(misreading));
+}
+
 /// Shuffled features without an entry of their own are features all the same.
 void add_shuffled(sim::ProfileSpec& spec) {
   for (const sim::ShuffleSpec& shuffle : spec.shuffles)
@@ -122,6 +152,12 @@ std::string words_of(const Rational& begin, const std::optional<Rational>& end) 
   if (!end) return sim::fraction(begin);
   return fmt::format("{} at the horizon, linearly to {} in the last cell", sim::fraction(begin),
                      sim::fraction(*end));
+}
+
+std::string words_of(const sim::Misreading& misreading) {
+  return fmt::format("{}: read as {} with probability {}, {}", misreading.of, misreading.as,
+                     words_of(misreading.probability, misreading.probability_at_end),
+                     misreading.per_approach ? "for the whole approach" : "in each cell anew");
 }
 
 std::string words_of(const sim::FeatureSpec& feature) {
@@ -160,15 +196,24 @@ std::string words_of(const sim::FeatureSpec& feature) {
   return words;
 }
 
+/// Nothing but what something else is taken for.
+bool only_misread(const sim::ProfileSpec& spec, const sim::FeatureSpec& feature) {
+  return feature.absent && feature.false_detection == 0 && !feature.false_detection_at_end &&
+         std::any_of(spec.misreadings.begin(), spec.misreadings.end(),
+                     [&](const sim::Misreading& one) { return one.as == feature.name; });
+}
+
 void describe(ProfilePart& part) {
   for (const sim::FeatureSpec& feature : part.spec.features)
-    if (std::string words = words_of(feature); !words.empty()) part.description.push_back(std::move(words));
+    if (std::string words = words_of(feature); !words.empty() && !only_misread(part.spec, feature))
+      part.description.push_back(std::move(words));
   for (const sim::ShuffleSpec& shuffle : part.spec.shuffles) {
     std::string features, cells;
     for (const std::string& f : shuffle.features) features += (features.empty() ? "" : ", ") + f;
     for (const OnsetExpression& e : shuffle.at) cells += (cells.empty() ? "" : ", ") + bound(e);
     part.description.push_back(fmt::format("{}: in random order in cells {}", features, cells));
   }
+  for (const sim::Misreading& one : part.spec.misreadings) part.description.push_back(words_of(one));
   if (part.spec.everything_visible_in)
     part.description.push_back(
         fmt::format("in cell {} everything is visible", *part.spec.everything_visible_in));
@@ -193,8 +238,9 @@ ProfilePart read_profile(TomlTable& table, const util::Limits& limits) {
     else
       read_feature(entry, part, limits);
   }
-  table.finish();
   add_shuffled(part.spec);
+  for (TomlTable& entry : table.tables("misreadings")) read_misreading(entry, part);
+  table.finish();
   describe(part);
   return part;
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 
 namespace heed::sim {
 namespace {
@@ -61,6 +62,9 @@ std::vector<Branch> CellUnfolder::start() {
   Knowledge nothing;
   for (const FeatureSpec& feature : model_.spec.features)
     nothing.onset.push_back(feature.absent ? static_cast<std::int32_t>(cells_) : Knowledge::later);
+  const auto decided = [](const std::vector<ReadAs>& all) { return !all.empty(); };
+  if (std::any_of(model_.misread_for_good.begin(), model_.misread_for_good.end(), decided))
+    nothing.reading.resize(model_.names.size(), Knowledge::undecided);
   std::vector<Branch> branches{{1, nothing, 0}};
   for (std::size_t u = 0; u < model_.units.size(); ++u) {
     if (!ahead_[u]) continue;
@@ -202,28 +206,87 @@ Rational CellUnfolder::rate(const Rational& begin, const std::optional<Rational>
 
 /// Splits the branches by what perception reports of the things that are visible, or not.
 void CellUnfolder::report(std::uint32_t cell, std::vector<Branch>& branches) {
-  for (std::size_t f = 0; f < model_.names.size(); ++f) {
+  for (std::uint32_t f = 0; f < model_.names.size(); ++f) {
     const FeatureSpec& feature = model_.spec.features[f];
-    const Rational detection = rate(feature.detection, feature.detection_at_end, cell);
-    const Rational false_detection = rate(feature.false_detection, feature.false_detection_at_end, cell);
-    const bool always = feature.detection == 1 && feature.detection_at_end.value_or(1) == 1;
-    const bool tracked = feature.persistent.value_or(model_.spec.persistent) && !always;
-    std::vector<Branch> silent;
-    for (Branch& branch : branches) {
-      const bool there = !feature.replaced && visible(branch.knowledge, f, cell);
-      const bool sure = (branch.knowledge.reported & bit(f)) != 0;
-      const Rational p = sure ? Rational(1) : there ? detection : false_detection;
-      if (p == 0) continue;
-      if (p != 1) {
-        silent.push_back(branch);
-        silent.back().probability *= 1 - p;
-        branch.probability *= p;
-      }
-      branch.seen |= bit(f);
-      if (there && tracked) branch.knowledge.reported |= bit(f);
-    }
-    for (Branch& branch : silent) grow(branches, std::move(branch));
+    const bool always = feature.detection == 1 && feature.detection_at_end.value_or(1) == 1 &&
+                        model_.misread_in_cell[f].empty();
+    const Rates rates{rate(feature.detection, feature.detection_at_end, cell),
+                      rate(feature.false_detection, feature.false_detection_at_end, cell),
+                      feature.persistent.value_or(model_.spec.persistent) && !always};
+    report_feature(f, cell, rates, branches);
   }
+}
+
+void CellUnfolder::report_feature(std::uint32_t f, std::uint32_t cell, const Rates& rates,
+                                  std::vector<Branch>& branches) {
+  const bool misread = !model_.misread_in_cell[f].empty() || !model_.misread_for_good[f].empty();
+  std::vector<Branch> more;
+  for (Branch& branch : branches) {
+    const bool there = !model_.spec.features[f].replaced && visible(branch.knowledge, f, cell);
+    const bool sure = (branch.knowledge.reported & bit(f)) != 0;
+    const Rational p = sure ? Rational(1) : there ? rates.detection : rates.false_detection;
+    if (p == 0) continue;
+    if (p != 1) {
+      more.push_back(branch);
+      more.back().probability *= 1 - p;
+      branch.probability *= p;
+    }
+    if (there && misread) {
+      std::vector<Branch> read_as = read(f, cell, rates.tracked, branch);
+      branch = std::move(read_as.back());
+      read_as.pop_back();
+      std::move(read_as.begin(), read_as.end(), std::back_inserter(more));
+      continue;
+    }
+    branch.seen |= bit(f);
+    if (there && rates.tracked) branch.knowledge.reported |= bit(f);
+  }
+  for (Branch& branch : more) grow(branches, std::move(branch));
+}
+
+// What it is read as for good is drawn when it is first reported: until then it makes no difference.
+std::vector<Branch> CellUnfolder::read(std::uint32_t f, std::uint32_t cell, bool tracked,
+                                       Branch branch) const {
+  std::vector<Branch> result;
+  const auto shown = [&](std::uint32_t as, bool stays) {
+    branch.seen |= bit(as);
+    if (stays && tracked) branch.knowledge.reported |= bit(f);
+    result.push_back(branch);
+  };
+  const auto& for_good = model_.misread_for_good[f];
+  std::uint8_t decided = for_good.empty() ? Knowledge::right : branch.knowledge.reading[f];
+  if (decided == Knowledge::undecided) {
+    const Branch before = branch;
+    Rational left = 1;
+    for (std::size_t i = 0; i < for_good.size(); ++i) {
+      branch = before;
+      branch.probability *= for_good[i].probability;
+      branch.knowledge.reading[f] = static_cast<std::uint8_t>(2 + i);
+      left -= for_good[i].probability;
+      if (branch.probability != 0) shown(for_good[i].feature, true);
+    }
+    branch = before;
+    branch.probability *= left;
+    branch.knowledge.reading[f] = decided = Knowledge::right;
+    if (left == 0) return result;
+  }
+  if (decided != Knowledge::right || (branch.knowledge.reported & bit(f)) != 0) {
+    shown(decided != Knowledge::right ? for_good[decided - 2U].feature : f, true);
+    return result;
+  }
+  const Branch before = branch;
+  Rational left = 1;
+  for (const ReadAs& one : model_.misread_in_cell[f]) {
+    const Rational p = rate(one.probability, one.probability_at_end, cell);
+    branch = before;
+    branch.probability *= p;
+    left -= p;
+    if (p != 0) shown(one.feature, false);
+  }
+  branch = before;
+  branch.probability *= left;
+  if (left != 0) shown(f, true);
+  return result;
 }
 
 /// An onset that has passed and that no open rule refers to says nothing about the future.

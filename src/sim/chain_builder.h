@@ -16,7 +16,11 @@ namespace heed::sim {
 struct Knowledge {
   static constexpr std::int32_t later = -1;  ///< Not drawn yet, hence after the current cell.
   std::vector<std::int32_t> onset;           ///< `later`, or 0 ... T (T = never).
-  std::uint64_t reported = 0;                ///< Rightly reported already; only kept where that matters.
+  std::uint64_t reported = 0;                ///< Reported already and to stay; only kept where that matters.
+  /// Per feature, what it is read as for the whole approach: `undecided`, `right`, or 2 + which of its
+  /// misreadings. Empty where the profile has none of that kind.
+  std::vector<std::uint8_t> reading;
+  static constexpr std::uint8_t undecided = 0, right = 1;
   friend auto operator<=>(const Knowledge&, const Knowledge&) = default;
 };
 
@@ -48,6 +52,15 @@ class CellUnfolder {
   void draw_feature_ahead(const DrawUnit& unit, std::vector<Branch>& branches);
   void draw_shuffle_ahead(const DrawUnit& unit, std::vector<Branch>& branches);
   void report(std::uint32_t cell, std::vector<Branch>& branches);
+  struct Rates {
+    Rational detection, false_detection;
+    bool tracked = false;  ///< What was reported once stays reported, and might not without.
+  };
+  void report_feature(std::uint32_t feature, std::uint32_t cell, const Rates& rates,
+                      std::vector<Branch>& branches);
+  /// What becomes of a branch in which \p feature is rightly reported, by what it is read as; never none.
+  [[nodiscard]] std::vector<Branch> read(std::uint32_t feature, std::uint32_t cell, bool tracked,
+                                         Branch branch) const;
   /// A rate in \p cell that is \p begin at the horizon and \p end, if given, in the last cell.
   [[nodiscard]] Rational rate(const Rational& begin, const std::optional<Rational>& end,
                               std::uint32_t cell) const;

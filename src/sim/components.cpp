@@ -32,6 +32,9 @@ Sets together(const ProfileModel& model, const Binding& binding) {
     for (const std::uint32_t f : unit.features) sets.join(unit.features.front(), f);
     for (const std::uint32_t f : unit.parents) sets.join(unit.features.front(), f);
   }
+  for (const auto* kind : {&model.misread_in_cell, &model.misread_for_good})
+    for (std::uint32_t f = 0; f < kind->size(); ++f)
+      for (const ReadAs& one : (*kind)[f]) sets.join(f, one.feature);
   for (const Binding::Wire& a : binding.wires)
     for (const Binding::Wire& b : binding.wires)
       if (a.input == b.input) sets.join(a.feature, b.feature);
@@ -46,6 +49,10 @@ ProfileSpec only(const ProfileSpec& profile, const std::vector<std::uint32_t>& f
   std::erase_if(part.shuffles, [&](const ShuffleSpec& shuffle) {
     return std::none_of(part.features.begin(), part.features.end(),
                         [&](const FeatureSpec& f) { return f.name == shuffle.features.front(); });
+  });
+  std::erase_if(part.misreadings, [&](const Misreading& misreading) {
+    return std::none_of(part.features.begin(), part.features.end(),
+                        [&](const FeatureSpec& f) { return f.name == misreading.of; });
   });
   return part;
 }

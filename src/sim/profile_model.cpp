@@ -100,6 +100,67 @@ void check_features(const ProfileSpec& spec, std::vector<std::string>& names) {
   }
 }
 
+/// The place of a feature that a misreading names.
+std::uint32_t misread(const Misreading& misreading, const std::string& name,
+                      const std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    fail(misreading.location, "unknown-feature", fmt::format("the profile has no feature '{}'", name),
+         util::suggestion(name, names));
+  return static_cast<std::uint32_t>(found - names.begin());
+}
+
+void check_misreading(const Misreading& misreading) {
+  if (misreading.of == misreading.as)
+    fail(misreading.location, "misread-as-itself", fmt::format("'{}' is misread as itself", misreading.of),
+         "name what it is taken for");
+  const Rational& end = misreading.probability_at_end.value_or(misreading.probability);
+  for (const Rational* p : {&misreading.probability, &end})
+    if (*p < 0 || *p > 1)
+      fail(misreading.location, "probability-range",
+           fmt::format("'{}' is misread with probability {}, which is none", misreading.of, fraction(*p)),
+           "give a number from 0 to 1");
+}
+
+void check_single(const ProfileSpec& spec, const Misreading& misreading) {
+  const auto same =
+      std::count_if(spec.misreadings.begin(), spec.misreadings.end(), [&](const Misreading& other) {
+        return other.of == misreading.of && other.as == misreading.as &&
+               other.per_approach == misreading.per_approach;
+      });
+  if (same > 1)
+    fail(misreading.location, "duplicate-feature",
+         fmt::format("'{}' is misread as '{}' twice", misreading.of, misreading.as), "add the two up");
+}
+
+/// Between the two ends sums change linearly, too.
+void check_sum(const std::vector<ReadAs>& all, const Misreading& last) {
+  Rational begin = 0, end = 0;
+  for (const ReadAs& one : all) {
+    begin += one.probability;
+    end += one.probability_at_end.value_or(one.probability);
+  }
+  const Rational& most = begin < end ? end : begin;
+  if (most > 1)
+    fail(last.location, "probability-sum",
+         fmt::format("the misreadings of '{}' {} add up to {}", last.of,
+                     last.per_approach ? "for the whole approach" : "in a cell", fraction(most)),
+         fmt::format("{} too much: they are what may happen instead of each other", fraction(most - 1)));
+}
+
+void add_misreadings(ProfileModel& model) {
+  model.misread_in_cell.resize(model.names.size());
+  model.misread_for_good.resize(model.names.size());
+  for (const Misreading& one : model.spec.misreadings) {
+    const std::uint32_t of = misread(one, one.of, model.names), as = misread(one, one.as, model.names);
+    check_misreading(one);
+    check_single(model.spec, one);
+    auto& all = (one.per_approach ? model.misread_for_good : model.misread_in_cell)[of];
+    all.push_back({as, one.probability, one.probability_at_end});
+    check_sum(all, one);
+  }
+}
+
 DrawUnit make_unit(const std::vector<OnsetExpression>& parameters, const std::vector<std::string>& names) {
   DrawUnit unit;
   for (const OnsetExpression& parameter : parameters) {
@@ -223,6 +284,7 @@ ProfileModel::ProfileModel(const ProfileSpec& profile) : spec(profile) {
   children.resize(names.size());
   for (std::uint32_t u = 0; u < units.size(); ++u)
     for (const std::uint32_t parent : units[u].parents) children[parent].push_back(u);
+  add_misreadings(*this);
 }
 
 namespace {

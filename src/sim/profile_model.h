@@ -3,6 +3,7 @@
 #include <heed/sim/profile.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,13 @@ struct DrawUnit {
   util::Location location;
 };
 
+/// What a feature may be reported as instead.
+struct ReadAs {
+  std::uint32_t feature = 0;
+  Rational probability;
+  std::optional<Rational> probability_at_end;
+};
+
 /// A checked profile: names resolved, units in an order in which each comes after those it refers to.
 struct ProfileModel {
   explicit ProfileModel(const ProfileSpec& profile);  ///< \throws util::InputError as compile() does
@@ -29,6 +37,7 @@ struct ProfileModel {
   std::vector<DrawUnit> units;
   std::vector<std::uint32_t> unit_of;                ///< Per feature: index into units.
   std::vector<std::vector<std::uint32_t>> children;  ///< Per feature: units that refer to it.
+  std::vector<std::vector<ReadAs>> misread_in_cell, misread_for_good;  ///< Per feature.
 };
 
 /// P(onset = cell | onset >= cell) for a rule whose parameters have the given values (`infinite` = never).

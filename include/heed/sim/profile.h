@@ -112,6 +112,19 @@ struct ShuffleSpec {
   util::Location location{};
 };
 
+/// One feature is reported in place of another: red is read as orange. It happens to what would rightly be
+/// reported, and to nothing else. Of one feature and one kind (per cell, per approach) the probabilities add
+/// up to 1 at most; with what is left it is read as what it is.
+struct Misreading {
+  std::string of, as;  ///< Features of the profile.
+  Rational probability = 0;
+  /// In the last cell, where the probability changes linearly with the distance; per cell only.
+  std::optional<Rational> probability_at_end{};
+  /// Decided once, for as long as the approach lasts; else in each cell anew. What is decided so comes first.
+  bool per_approach = false;
+  util::Location location{};
+};
+
 /// What perception reports while one thing is approached, cell by cell, as a scenario says it.
 struct ProfileSpec {
   std::string name;
@@ -125,6 +138,7 @@ struct ProfileSpec {
   /// detection < 1.
   bool persistent = true;
   util::Location location{};
+  std::vector<Misreading> misreadings{};
 };
 
 /// The profile for a thing that lacks some features. \pre every name is one of the profile's features
@@ -165,7 +179,7 @@ struct ChainLimits {
 /// what it refers to is drawn before the first cell and kept hidden in the state. Cost: states x branches per
 /// cell; geometric and independent rules keep it small, since only onsets that a rule still needs are
 /// remembered. \throws util::InputError `unknown-feature`, `duplicate-feature`, `too-many-features` (64),
-/// `cyclic-onsets`,
+/// `cyclic-onsets`, `misread-as-itself`,
 ///   `probability-range`, `probability-sum`, `empty-range`, `bad-shuffle`, `bad-cells`.
 /// \throws util::LimitExceeded  Size: beyond the two limits above; or the budget's own limits.
 [[nodiscard]] Chain compile(const ProfileSpec& profile, util::Budget& budget, const ChainLimits& limits = {});

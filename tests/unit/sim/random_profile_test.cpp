@@ -5,8 +5,10 @@
 #include <heed/util/random.h>
 
 #include <algorithm>
+#include <compare>
 #include <functional>
 #include <numeric>
+#include <optional>
 
 #include "unit/sim/case_study.h"
 #include "unit/sim/paths.h"
@@ -54,6 +56,7 @@ class Maker {
       made_.spec.features.push_back(feature);
     }
     if (shuffle) deal(features);
+    misread(features);
     made_.spec.persistent = pick(2) == 0;
     if (pick(3) == 0) made_.spec.everything_visible_in = static_cast<std::uint32_t>(pick(cells_));
     return std::move(made_);
@@ -159,6 +162,21 @@ class Maker {
     });
     return TableOnset{{a, b}, rest, at(first.text)};
   }
+  /// Of some features, as others, in one way or both.
+  void misread(int features) {
+    if (pick(2) == 0) return;
+    for (const bool per_approach : {false, true}) {
+      const int of = pick(features);
+      for (int as = 0; as < features; ++as) {
+        if (as == of || pick(2) == 0) continue;
+        Misreading one{fmt::format("f{}", of), fmt::format("f{}", as), Rational(pick(3), 6)};
+        one.probability.canonicalize();
+        one.per_approach = per_approach;
+        if (!per_approach && pick(2) == 0) one.probability_at_end = Rational(1, 3 + pick(3));
+        made_.spec.misreadings.push_back(one);
+      }
+    }
+  }
   void deal(int features) {
     ShuffleSpec shuffle;
     for (int i = features - 2; i < features; ++i) {
@@ -175,43 +193,86 @@ class Maker {
   RandomProfile made_;
 };
 
-/// Reports of one feature with this onset, cell by cell.
-std::map<std::vector<bool>, Rational> reports(const ProfileSpec& spec, const FeatureSpec& feature,
-                                              int onset) {
-  std::map<std::pair<std::vector<bool>, bool>, Rational> layer{{{{}, false}, 1}};
-  const int cells = static_cast<int>(spec.cells);
-  for (int cell = 0; cell < cells; ++cell) {
-    std::map<std::pair<std::vector<bool>, bool>, Rational> next;
-    for (const auto& [past, probability] : layer) {
-      const bool there = !feature.replaced && onset <= cell;
-      const bool sure = past.second && feature.persistent.value_or(spec.persistent);
-      const auto& end = there ? feature.detection_at_end : feature.false_detection_at_end;
-      const Rational begin = there ? feature.detection : feature.false_detection;
-      const Rational far = cells == 1 ? Rational(0) : Rational(cells - 1 - cell) / (cells - 1);
-      const Rational p = sure ? Rational(1) : end ? Rational(begin * far + *end * (1 - far)) : begin;
-      for (const bool yes : {false, true}) {
-        auto bits = past.first;
-        bits.push_back(yes);
-        if (const Rational q = yes ? p : Rational(1 - p); q != 0)
-          next[{bits, past.second || (there && yes)}] += probability * q;
+/// How near the last cell is: 0 at the horizon, 1 there.
+Rational nearness(const ProfileSpec& spec, std::uint32_t cell) {
+  if (spec.cells == 1) return 1;
+  Rational near(cell, spec.cells - 1);
+  near.canonicalize();
+  return near;
+}
+
+Rational between(const Rational& begin, const std::optional<Rational>& end, const Rational& near) {
+  return end ? Rational(begin * (1 - near) + *end * near) : begin;
+}
+
+/// What shows where \p feature is rightly reported, by one kind of misreading; itself last.
+std::vector<std::pair<std::size_t, Rational>> readings(const ProfileSpec& spec, std::size_t feature,
+                                                       bool per_approach, const Rational& near) {
+  std::vector<std::pair<std::size_t, Rational>> all;
+  Rational left = 1;
+  for (const Misreading& one : spec.misreadings) {
+    if (one.of != spec.features[feature].name || one.per_approach != per_approach) continue;
+    const Rational p = between(one.probability, one.probability_at_end, near);
+    all.emplace_back(std::stoul(one.as.substr(1)), p);
+    left -= p;
+  }
+  all.emplace_back(feature, left);
+  return all;
+}
+
+struct Shown {
+  std::vector<std::uint64_t> cells;
+  bool stays = false;
+  friend auto operator<=>(const Shown&, const Shown&) = default;
+};
+
+/// What one feature with this onset shows, cell by cell, when it is read as \p good for the whole approach.
+std::map<Shown, Rational> shows(const ProfileSpec& spec, std::size_t f, int onset, std::size_t good) {
+  const FeatureSpec& feature = spec.features[f];
+  std::map<Shown, Rational> layer{{{}, 1}};
+  for (std::uint32_t cell = 0; cell < spec.cells; ++cell) {
+    std::map<Shown, Rational> next;
+    const Rational near = nearness(spec, cell);
+    const bool there = !feature.replaced && onset <= static_cast<int>(cell);
+    const auto add = [&](Shown past, std::uint64_t bits, bool stays, const Rational& weight) {
+      past.cells.push_back(bits);
+      past.stays |= stays && feature.persistent.value_or(spec.persistent);
+      if (weight != 0) next[past] += weight;
+    };
+    for (const auto& [past, weight] : layer) {
+      const Rational p = past.stays ? Rational(1)
+                         : there    ? between(feature.detection, feature.detection_at_end, near)
+                                    : between(feature.false_detection, feature.false_detection_at_end, near);
+      add(past, 0, false, weight * (1 - p));
+      if (!there || good != f || past.stays) {
+        add(past, std::uint64_t{1} << (there ? good : f), there, weight * p);
+        continue;
       }
+      for (const auto& [as, q] : readings(spec, f, false, near))
+        add(past, std::uint64_t{1} << as, as == f, weight * p * q);
     }
     layer = std::move(next);
   }
-  std::map<std::vector<bool>, Rational> result;
-  for (const auto& [past, probability] : layer) result[past.first] += probability;
-  return result;
+  return layer;
+}
+
+/// Reports of one feature with this onset, cell by cell.
+SequenceLaw reports(const ProfileSpec& spec, std::size_t f, int onset) {
+  SequenceLaw law;
+  for (const auto& [good, weight] : readings(spec, f, true, 0))
+    for (const auto& [shown, p] : shows(spec, f, onset, good)) law[shown.cells] += p * weight;
+  return law;
 }
 
 void add_reports(const ProfileSpec& spec, const Onsets& onsets, const Rational& weight, SequenceLaw& law) {
   SequenceLaw all{{std::vector<std::uint64_t>(spec.cells), weight}};
   for (std::size_t f = 0; f < onsets.size(); ++f) {
     SequenceLaw next;
-    for (const auto& [bits, p] : reports(spec, spec.features[f], onsets[f]))
+    for (const auto& [bits, p] : reports(spec, f, onsets[f]))
       for (const auto& [sequence, q] : all) {
         auto longer = sequence;
-        for (std::size_t cell = 0; cell < bits.size(); ++cell) longer[cell] |= std::uint64_t{bits[cell]} << f;
-        next[longer] += p * q;
+        for (std::size_t cell = 0; cell < bits.size(); ++cell) longer[cell] |= bits[cell];
+        if (p != 0) next[longer] += p * q;
       }
     all = std::move(next);
   }
