@@ -3,7 +3,9 @@
 #include "output.h"
 
 #include <heed/job/tune.h>
+#include <heed/report/write.h>
 #include <heed/sim/rational.h>
+#include <heed/util/file.h>
 
 #include <fmt/format.h>
 
@@ -20,8 +22,8 @@ sim::Rational probability(const std::string& option, const std::string& text) {
   return value;
 }
 
-job::TuneOptions read_options(const Arguments& arguments) {
-  job::TuneOptions options;
+job::TuneOptions read_options(const Arguments& arguments, const job::Scenario& scenario) {
+  job::TuneOptions options = job::tune_options(scenario);
   if (arguments.has("--false-braking"))
     options.most_needless = probability("--false-braking", arguments.text("--false-braking"));
   if (!arguments.has("--noise")) return options;
@@ -50,6 +52,8 @@ Json tuning_json(const job::Tuning& tuning, const job::Scenario& scenario) {
                        {"miss", figure_json(figure.miss)},
                        {"needless", figure_json(figure.needless)},
                        {"cells_left", figure_json(figure.distance)},
+                       {"braking", figure.braking ? figure_json(*figure.braking) : Json(nullptr)},
+                       {"hardest_braking", figure.hardest ? figure_json(*figure.hardest) : Json(nullptr)},
                        {"on_front", figure.on_front}});
   Json left_out = Json::array();
   for (const job::LeftOut& one : tuning.left_out)
@@ -65,21 +69,32 @@ std::size_t longest(const std::vector<std::string>& words) {
   return width;
 }
 
+bool brakes(const job::Tuning& tuning) {
+  return std::any_of(tuning.figures.begin(), tuning.figures.end(),
+                     [](const job::TuneFigure& figure) { return figure.braking.has_value(); });
+}
+
+std::string braking(const job::TuneFigure& figure) {
+  if (!figure.braking) return fmt::format(" {:>10} {:>10}", "-", "-");
+  return fmt::format(" {:>10.3f} {:>10.3f}", figure.braking->value, figure.hardest->value);
+}
+
 std::string tables(const job::Tuning& tuning, const job::Scenario& scenario, bool all) {
   std::string out;
   const std::size_t width = longest(tuning.policies);
   const job::TuneFigure* before = nullptr;
   for (const job::TuneFigure& figure : tuning.figures) {
     if (before == nullptr || before->profile != figure.profile || before->noise != figure.noise)
-      out += fmt::format("{}{}: {}, noise {}\n  {:<{}} {:>10} {:>10} {:>10}\n", out.empty() ? "" : "\n",
-                         scenario.profiles[figure.profile].spec.name, scenario.profiles[figure.profile].title,
-                         sim::fraction(tuning.noise[figure.noise]), "policy", width, "misses", "needless",
-                         "cells left");
+      out +=
+          fmt::format("{}{}: {}, noise {}\n  {:<{}} {:>10} {:>10} {:>10}{}\n", out.empty() ? "" : "\n",
+                      scenario.profiles[figure.profile].spec.name, scenario.profiles[figure.profile].title,
+                      sim::fraction(tuning.noise[figure.noise]), "policy", width, "misses", "needless",
+                      "cells left", brakes(tuning) ? fmt::format(" {:>10} {:>10}", "m/s2", "hardest") : "");
     before = &figure;
     if (all || figure.on_front)
-      out += fmt::format("{} {:<{}} {:>10.6f} {:>10.6f} {:>10.4f}\n", figure.on_front ? '*' : ' ',
+      out += fmt::format("{} {:<{}} {:>10.6f} {:>10.6f} {:>10.4f}{}\n", figure.on_front ? '*' : ' ',
                          tuning.policies[figure.policy], width, figure.miss.value, figure.needless.value,
-                         figure.distance.value);
+                         figure.distance.value, brakes(tuning) ? braking(figure) : "");
   }
   return out;
 }
@@ -114,13 +129,15 @@ std::string answer(const job::Tuning& tuning, const job::Scenario& scenario,
 int tune_command(const Arguments& arguments) {
   const util::Limits limits = arguments.limits();
   util::Budget budget(limits);
-  const job::TuneOptions options = read_options(arguments);
   const job::Scenario scenario = load_scenario(arguments);
+  const job::TuneOptions options = read_options(arguments, scenario);
   if (!scenario.evaluate || scenario.profiles.empty())
     throw UsageError("the scenario has no [[profile]] and [evaluate]",
                      "they say what is seen and what counts");
   const job::World world = job::load_world(scenario, limits, budget);
   const job::Tuning tuning = job::tune(scenario, world, options, budget);
+  if (const std::string path = arguments.text("--output"); !path.empty())
+    util::write_file(path, report::to_svg(job::describe_tuning(scenario, tuning, options)));
   if (arguments.json())
     print_json(tuning_json(tuning, scenario));
   else

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
-#include <string>
 #include <string_view>
 
 namespace heed::cli {

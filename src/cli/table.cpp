@@ -44,11 +44,12 @@ Command tune_entry() {
   return {"tune",
           "Compare policies exactly: misses, needless reactions, distance of the reaction",
           {{"SCENARIO", "Scenario file"}},
-          {{"--false-braking", "P", "", "0 ... 1",
+          {{"--false-braking", "P", "the scenario's", "0 ... 1",
             "Name the policy with the fewest misses that reacts needlessly at most so often"},
-           {"--noise", "LEVELS", "0", "comma-separated",
+           {"--noise", "LEVELS", "the scenario's, else 0", "comma-separated",
             "Probabilities with which every feature is missed, and falsely reported, besides"},
-           {"--all", "", "", "", "Also print policies that another one beats in everything"}},
+           {"--all", "", "", "", "Also print policies that another one beats in everything"},
+           {"--output", "FILE", "", "", "Draw misses over needless reactions as SVG, too"}},
           "heed tune examples/stop-sign/stop-sign.toml --false-braking 1/10",
           tune_command};
 }

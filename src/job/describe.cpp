@@ -178,39 +178,4 @@ report::CatalogueEntry describe_entity(const Scenario& scenario, const World& wo
   return out;
 }
 
-std::vector<std::string> describe_method(const Scenario& scenario, const World& world) {
-  std::vector<std::string> method;
-  method.emplace_back(
-      "Time: the controller sees the observation of a step and then chooses the action of that step; what "
-      "the action does is "
-      "seen in the next step.");
-  method.emplace_back(
-      "Derived symbols are definitions over what is perceived: nobody can imagine a sign or brake without "
-      "reason.");
-  if (scenario.only_when_prescribed)
-    method.emplace_back("A bound behaviour happens when it is prescribed and for no other reason.");
-  if (!world.plant.deterministic())
-    method.emplace_back(
-        "Where the plant's action has several outcomes, the one that is worst for the controller counts.");
-  method.emplace_back(
-      "Every controller was verified by a checker that shares no code with the solver; it was then written "
-      "to "
-      "disk and read back before it was evaluated.");
-  if (scenario.evaluate)
-    method.push_back(fmt::format(
-        "A run begins with one observation in which nothing is in view, then comes one observation per cell. "
-        "The first step "
-        "in which `{}` holds decides the outcome; without one the outcome is \"{}\".",
-        scenario.evaluate->event.text, scenario.evaluate->outcomes[scenario.evaluate->rest].label));
-  method.emplace_back(
-      "Exact figures come from the product of profile and controller, as rationals. Samples are drawn cell "
-      "by "
-      "cell and step the controller; they know nothing of the exact figures.");
-  method.emplace_back(
-      "On the way past a thing, what the ontology entails of it can be seen, in the order of the profile; "
-      "what it "
-      "does not have never appears.");
-  return method;
-}
-
 }  // namespace heed::job

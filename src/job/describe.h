@@ -1,6 +1,7 @@
 #pragma once
 
 #include <heed/job/controller.h>
+#include <heed/job/tune.h>
 #include <heed/report/result.h>
 #include <heed/sim/lumping.h>
 
@@ -17,7 +18,9 @@ namespace heed::job {
 [[nodiscard]] std::string describe_road(const World& world, const RoadPart& road);
 [[nodiscard]] report::CatalogueEntry describe_entity(const Scenario& scenario, const World& world,
                                                      std::size_t entity);
-[[nodiscard]] std::vector<std::string> describe_method(const Scenario& scenario, const World& world);
+/// Everything that the figures rest on, sentence by sentence. \param traces  Per chart. \param seed  Of them.
+[[nodiscard]] std::vector<std::string> describe_method(const Scenario& scenario, const World& world,
+                                                       std::uint64_t traces, std::uint64_t seed);
 [[nodiscard]] report::Number number(const sim::Rational& value);
 /// A fraction too long to be read is left out.
 [[nodiscard]] report::Number number(const sim::Figure& figure);

@@ -295,17 +295,15 @@ sim::ExactOutcome as_fractions(const sim::LumpedOutcome& figures) {
 }
 
 /// What lumps, else the whole chain if that is not too large, either.
-void evaluate_large(const PlannedApproach& plan, const model::Mealy& machine, const sim::Judge& judge,
-                    Evaluation& evaluation, util::Budget& budget) {
+sim::LumpedOutcome large_figures(const PlannedApproach& plan, const model::Mealy& machine,
+                                 const sim::Judge& judge, util::Budget& budget) {
   try {
-    evaluation.figures = sim::lumped_outcome(plan.profile, machine, plan.binding, judge, {}, budget);
-    evaluation.exact = as_fractions(evaluation.figures);
+    return sim::lumped_outcome(plan.profile, machine, plan.binding, judge, {}, budget);
   } catch (const util::LimitExceeded& limit) {
     if (limit.kind() != util::LimitExceeded::Kind::Size) throw;
     const auto chain = chain_within(plan.profile, {}, budget);
     if (!chain) throw;
-    evaluation.exact = sim::exact_outcome({*chain, machine, plan.binding, judge}, budget);
-    evaluation.figures = as_figures(evaluation.exact);
+    return as_figures(sim::exact_outcome({*chain, machine, plan.binding, judge}, budget));
   }
 }
 
@@ -330,24 +328,44 @@ void draw_samples(const sim::Run& run, const EvaluateOptions& options, Evaluatio
 
 }  // namespace
 
+ReadyApproach ready_approach(const ProfilePart& profile, const World& world,
+                             const std::vector<model::Variable>& inputs, const std::string& controller,
+                             Thing thing, util::Budget& budget) {
+  ReadyApproach ready{plan_approach(profile, world, inputs, controller, thing), std::nullopt};
+  ready.chain = chain_within(ready.plan.profile, small_chain, budget);
+  return ready;
+}
+
+const ReadyApproach& Approaches::ready(const ProfilePart& profile, const model::Mealy& machine, Thing thing) {
+  std::string key = profile.spec.name + '\n' + appearance(profile, world_, thing);
+  for (const model::Variable& input : machine.inputs) key += '\n' + input.name;
+  const auto found = known_.find(key);
+  if (found != known_.end()) return found->second;
+  return known_
+      .emplace(std::move(key), ready_approach(profile, world_, machine.inputs, machine.name, thing, budget_))
+      .first->second;
+}
+
+sim::LumpedOutcome exact_figures(const ReadyApproach& approach, const model::Mealy& machine,
+                                 const sim::Judge& judge, util::Budget& budget) {
+  if (!approach.chain) return large_figures(approach.plan, machine, judge, budget);
+  return as_figures(sim::exact_outcome({*approach.chain, machine, approach.plan.binding, judge}, budget));
+}
+
 Evaluation evaluate(const Scenario& scenario, const World& world, const ProfilePart& profile,
                     const model::Mealy& machine, Thing thing, const EvaluateOptions& options,
                     util::Budget& budget) {
-  const PlannedApproach plan = plan_approach(profile, world, machine.inputs, machine.name, thing);
+  ReadyApproach ready = ready_approach(profile, world, machine.inputs, machine.name, thing, budget);
   const sim::Judge judge = make_judge(scenario, world, machine, options.never_apart);
   Evaluation evaluation;
   evaluation.categories = judge.categories;
   evaluation.confidence = scenario.evaluate->confidence;
-  auto chain = chain_within(plan.profile, small_chain, budget);
-  if (chain) {
-    evaluation.exact = sim::exact_outcome({*chain, machine, plan.binding, judge}, budget);
-    evaluation.figures = as_figures(evaluation.exact);
-  } else {
-    evaluate_large(plan, machine, judge, evaluation, budget);
-  }
+  evaluation.figures = exact_figures(ready, machine, judge, budget);
+  evaluation.exact = as_fractions(evaluation.figures);
   if (options.traces == 0) return evaluation;
-  if (!chain) chain = chain_within(plan.profile, {}, budget);
-  if (chain) draw_samples({*chain, machine, plan.binding, judge}, options, evaluation, budget);
+  if (!ready.chain) ready.chain = chain_within(ready.plan.profile, {}, budget);
+  if (ready.chain)
+    draw_samples({*ready.chain, machine, ready.plan.binding, judge}, options, evaluation, budget);
   return evaluation;
 }
 
@@ -374,6 +392,7 @@ std::vector<std::string> states_on_the_way(const World& world, const ProfilePart
   model::Valuation full = blank;
   for (const sim::FeatureSpec& feature : profile.spec.features) {
     const Wired wired = find_wired(feature, world.perception);
+    if (feature.absent) continue;
     if (const auto value = value_of(wired, world, thing))
       full[machine_input(machine.inputs, machine.name, world.perception.inputs[wired.input].name)] = *value;
   }

@@ -19,39 +19,48 @@ constexpr const char* own_conflict = "observation_conflict";
 class Kinds {
  public:
   Kinds(const Scenario& scenario, const World& world, const ProfilePart& profile, const model::Mealy& machine,
-        util::Budget& budget)
-      : scenario_(scenario), world_(world), profile_(profile), machine_(machine), budget_(budget) {}
+        Approaches& shared, util::Budget& budget)
+      : scenario_(scenario),
+        world_(world),
+        profile_(profile),
+        machine_(machine),
+        shared_(shared),
+        budget_(budget) {}
 
   std::size_t number(Thing thing) {
     const EvaluatePart& part = *scenario_.evaluate;
     const bool must = prescribes(world_, thing, part.must_react);
     const bool needless = !must && !prescribes(world_, thing, part.may_react);
     const std::string key = appearance(profile_, world_, thing) + (must ? "must" : needless ? "not" : "may");
-    const auto [found, added] = numbers_.try_emplace(key, approaches_.size());
+    const auto [found, added] = numbers_.try_emplace(key, passages_.size());
     if (added) {
-      approaches_.push_back(std::make_unique<Approach>(approach(profile_, world_, machine_, thing, budget_)));
+      add(shared_.ready(profile_, machine_, thing));
       must_.push_back(must);
       needless_.push_back(needless);
     }
     return found->second;
   }
 
-  [[nodiscard]] std::vector<sim::Passage> passages() const {
-    std::vector<sim::Passage> result;
-    for (const auto& one : approaches_) result.push_back({&one->chain, &one->binding});
-    return result;
-  }
+  [[nodiscard]] const std::vector<sim::Passage>& passages() const { return passages_; }
   [[nodiscard]] bool must(std::size_t kind) const { return must_[kind]; }
   [[nodiscard]] bool needless(std::size_t kind) const { return needless_[kind]; }
 
  private:
+  void add(const ReadyApproach& ready) {
+    if (!ready.chain)
+      whole_.push_back(std::make_unique<sim::Chain>(sim::compile(ready.plan.profile, budget_)));
+    passages_.push_back({ready.chain ? &*ready.chain : whole_.back().get(), &ready.plan.binding});
+  }
+
   const Scenario& scenario_;
   const World& world_;
   const ProfilePart& profile_;
   const model::Mealy& machine_;
+  Approaches& shared_;
   util::Budget& budget_;
   std::map<std::string, std::size_t> numbers_;
-  std::vector<std::unique_ptr<Approach>> approaches_;
+  std::vector<std::unique_ptr<sim::Chain>> whole_;  ///< Where it is not small.
+  std::vector<sim::Passage> passages_;
   std::vector<bool> must_, needless_;
 };
 
@@ -148,8 +157,9 @@ void check_roads(const Scenario& scenario, const World& world) {
 }
 
 RoadEvaluation evaluate_road(const Scenario& scenario, const World& world, const ProfilePart& profile,
-                             const RoadPart& road, const model::Mealy& machine, util::Budget& budget) {
-  Kinds kinds(scenario, world, profile, machine, budget);
+                             const RoadPart& road, const model::Mealy& machine, Approaches& approaches,
+                             util::Budget& budget) {
+  Kinds kinds(scenario, world, profile, machine, approaches, budget);
   const std::vector<sim::Draw> round = draws_of(road, world, kinds);
   const sim::Judge judge = make_judge(scenario, world, machine, true);
   const auto conflicts = conflicts_of(scenario, world, machine);

@@ -1,3 +1,4 @@
+#include "assumed.h"
 #include "describe.h"
 #include "plant_values.h"
 #include "staging.h"
@@ -6,6 +7,7 @@
 #include <heed/job/evaluate.h>
 #include <heed/job/road.h>
 #include <heed/job/run.h>
+#include <heed/job/tune.h>
 #include <heed/job/version.h>
 #include <heed/report/write.h>
 #include <heed/sim/statistics.h>
@@ -19,6 +21,7 @@
 #include <chrono>
 #include <ctime>
 #include <map>
+#include <utility>
 
 namespace heed::job {
 namespace {
@@ -56,6 +59,7 @@ struct Candidate {
   Design design;
   Synthesized done;
   std::optional<model::Mealy> machine;  ///< Read back from disk.
+  std::optional<sim::Judge> judge;      ///< Of the machine, with runs that never react apart.
 };
 
 std::string probability_text(const sim::Figure& p) {
@@ -81,7 +85,8 @@ class Job {
         options_(options),
         budget_(budget),
         staging_(options.output),
-        stages_(result_.timings, options.progress) {}
+        stages_(result_.timings, options.progress),
+        approaches_(world_, budget) {}
 
   report::RunResult run() {
     const auto start = std::chrono::steady_clock::now();
@@ -114,14 +119,16 @@ class Job {
     if (!scenario_.plant.path.text.empty()) result_.inputs.push_back({"plant", scenario_.plant.path.text});
     result_.warnings = world_.knowledge.diagnostics;
     for (const util::Diagnostic& note : world_.perception.notes) result_.warnings.push_back(note);
-    result_.method = describe_method(scenario_, world_);
     result_.versions = {{"heed", version()}};
+    result_.method = describe_method(scenario_, world_, 0, 0);
     if (!scenario_.evaluate) return;
     result_.thing = scenario_.evaluate->thing;
     result_.kind = scenario_.evaluate->kind;
     result_.miss_label = scenario_.evaluate->outcomes[scenario_.evaluate->miss].label;
     result_.seed = options_.seed.value_or(scenario_.evaluate->seed);
     result_.confidence = scenario_.evaluate->confidence;
+    result_.method = describe_method(scenario_, world_, options_.traces.value_or(scenario_.evaluate->traces),
+                                     result_.seed);
   }
 
   [[nodiscard]] double progress_of(std::size_t controller) const {
@@ -129,7 +136,7 @@ class Job {
   }
 
   void make_controller(const ControllerPart& part) {
-    Candidate candidate{&part, {}, {}, std::nullopt};
+    Candidate candidate{&part, {}, {}, std::nullopt, std::nullopt};
     const double progress = progress_of(candidates_.size());
     candidate.design = stages_("compose", progress, [&] { return design(scenario_, world_, part); });
     check_evaluate(scenario_, world_, candidate.design);
@@ -208,6 +215,8 @@ class Job {
     stages_("drive past the catalogue", 0.8, [&] { return drive_past_everything(), 0; });
     for (const RoadPart& road : scenario_.roads)
       stages_("drive along roads", 0.9, [&] { return drive_along(road), 0; });
+    if (scenario_.tune && !result_.charts.empty())
+      stages_("compare policies", 0.95, [&] { return compare_policies(), 0; });
     if (scenario_.evaluate->speed_wanted && !result_.charts.empty()) fill_speed(entity);
   }
 
@@ -237,6 +246,7 @@ class Job {
       chart.p_value = test.p_value;
     }
     note_violations(profile, candidate, found.figures);
+    note_assumptions(profile, candidate, entity, chart);
     const sim::ReactionDistance distance = sim::reaction_distance(found.figures);
     chart.reaction = number(distance.mean);
     if (distance.when_it_reacts) chart.reaction_when_it_reacts = number(*distance.when_it_reacts);
@@ -264,35 +274,54 @@ class Job {
     note(figures.missing, "there is no answer, the run ends there");
   }
 
+  /// What is assumed may break although the controller does without it: the profile and the specification
+  /// then speak of different perception.
+  void note_assumptions(const ProfilePart& profile, const Candidate& candidate, std::size_t entity,
+                        report::Chart& chart) {
+    const ReadyApproach& ready = approaches_.ready(profile, *candidate.machine, entity);
+    if (!ready.chain) return;
+    const auto broken =
+        assumptions_broken(candidate.design.composed.spec, ready, *candidate.machine, budget_);
+    chart.broken = number(broken);
+    if (broken == 0 || !candidate.done.assumptions_dropped) return;
+    add_notes(
+        {{util::Severity::Warning,
+          profile.spec.location,
+          "assumption-not-kept",
+          fmt::format("on an approach under {} perception breaks what is assumed of it with probability {}; "
+                      "controllers that keep their guarantees without it answer all the same",
+                      profile.spec.name, sim::decimal(broken, 6)),
+          "let the assumptions say what the profile does",
+          {}}});
+  }
+
   /// The leaves of the catalogue, then the open road. Things that look alike are driven past once.
   void drive_past_everything() {
     const awareness::Catalogue& catalogue = world_.knowledge.catalogue;
-    std::map<std::string, Evaluation> known;
     for (std::size_t e = 0; e < catalogue.entities.size(); ++e) {
       if (!catalogue.entities[e].is_leaf() || !catalogue.entities[e].satisfiable) continue;
       result_.catalogue.push_back(describe_entity(scenario_, world_, e));
-      drive_past(result_.catalogue.back(), e, known);
+      drive_past(result_.catalogue.back(), e);
     }
     result_.catalogue.push_back({"", "nothing there"});
-    drive_past(result_.catalogue.back(), std::nullopt, known);
+    drive_past(result_.catalogue.back(), std::nullopt);
   }
 
-  void drive_past(report::CatalogueEntry& entry, Thing thing, std::map<std::string, Evaluation>& known) {
+  void drive_past(report::CatalogueEntry& entry, Thing thing) {
     for (const ProfilePart& profile : scenario_.profiles)
-      for (const Candidate& candidate : candidates_) {
-        if (!candidate.machine) continue;
-        const std::string key =
-            profile.spec.name + '/' + candidate.part->name.text + '/' + appearance(profile, world_, thing);
-        auto found = known.find(key);
-        if (found == known.end()) {
-          const EvaluateOptions exact_only{0, 0, 1, true};
-          found = known
-                      .emplace(key, evaluate(scenario_, world_, profile, *candidate.machine, thing,
-                                             exact_only, budget_))
-                      .first;
-        }
-        entry.encounters.push_back(encounter(profile, candidate, entry, found->second.figures));
-      }
+      for (Candidate& candidate : candidates_)
+        if (candidate.machine)
+          entry.encounters.push_back(
+              encounter(profile, candidate, entry, past_figures(profile, candidate, thing)));
+  }
+
+  const sim::LumpedOutcome& past_figures(const ProfilePart& profile, Candidate& candidate, Thing thing) {
+    const ReadyApproach& ready = approaches_.ready(profile, *candidate.machine, thing);
+    const auto [found, added] =
+        past_.try_emplace(std::pair<const ReadyApproach*, const Candidate*>(&ready, &candidate));
+    if (!added) return found->second;
+    if (!candidate.judge) candidate.judge = make_judge(scenario_, world_, *candidate.machine, true);
+    return found->second = exact_figures(ready, *candidate.machine, *candidate.judge, budget_);
   }
 
   [[nodiscard]] report::Encounter encounter(const ProfilePart& profile, const Candidate& candidate,
@@ -329,8 +358,9 @@ class Job {
     for (const ProfilePart& profile : scenario_.profiles)
       for (const Candidate& candidate : candidates_) {
         if (!candidate.machine) continue;
-        const auto driven = within_size<RoadEvaluation>(
-            [&] { return evaluate_road(scenario_, world_, profile, road, *candidate.machine, budget_); });
+        const auto driven = within_size<RoadEvaluation>([&] {
+          return evaluate_road(scenario_, world_, profile, road, *candidate.machine, approaches_, budget_);
+        });
         if (!driven) {
           note_road_too_large(road, profile);
           continue;
@@ -348,6 +378,23 @@ class Job {
         described.drives.push_back(std::move(drive));
       }
     if (!described.drives.empty()) result_.roads.push_back(std::move(described));
+  }
+
+  void compare_policies() {
+    TuneOptions options = tune_options(scenario_);
+    options.simple = true;
+    const auto tuning =
+        within_size<Tuning>([&] { return std::optional(tune(scenario_, world_, options, budget_)); });
+    if (tuning) {
+      result_.tuning = describe_tuning(scenario_, *tuning, options);
+      return;
+    }
+    add_notes({{util::Severity::Warning,
+                {},
+                "policies-too-large",
+                "no policies are compared: under some profile that is too large",
+                "fewer features, or no [tune]",
+                {}}});
   }
 
   void fill_speed(std::size_t entity) {
@@ -369,6 +416,8 @@ class Job {
   report::RunResult result_;
   Stages stages_;
   World world_;
+  Approaches approaches_;
+  std::map<std::pair<const ReadyApproach*, const Candidate*>, sim::LumpedOutcome> past_;  ///< Only looked up.
   std::vector<Candidate> candidates_;
 };
 

@@ -236,7 +236,7 @@ Scenario read_scenario(const util::SourceText& source, const util::Limits& limit
   const toml::table parsed = parse_toml(source);
   TomlTable root(parsed, std::make_shared<const std::string>(source.name()), "");
   root.allow({"name", "description", "knowledge", "perception", "plant", "task", "bind", "controller",
-              "profile", "evaluate", "road", "drive"});
+              "profile", "evaluate", "road", "tune", "drive"});
   Scenario scenario;
   scenario.path = source.name();
   scenario.name = root.text("name", std::filesystem::path(source.name()).stem().string());
@@ -276,6 +276,7 @@ Scenario read_scenario(const util::SourceText& source, const util::Limits& limit
     throw util::InputError(scenario.roads.front().name.location, "missing-key",
                            "a [[road]] needs a [[profile]] to say what is seen along it",
                            "add [[profile]] and [evaluate]");
+  if (root.has("tune")) scenario.tune = read_tune(root.table("tune"));
   scenario.drive = read_drive(root, scenario.evaluate, limits);
   root.finish();
   return scenario;

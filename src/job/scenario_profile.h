@@ -13,4 +13,7 @@ namespace heed::job {
 /// util::InputError
 [[nodiscard]] RoadPart read_road(TomlTable& table);
 
+/// `[tune]`. \throws util::InputError
+[[nodiscard]] TunePart read_tune(TomlTable table);
+
 }  // namespace heed::job

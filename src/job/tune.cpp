@@ -1,15 +1,17 @@
+#include "tune_measure.h"
+
 #include <heed/job/tune.h>
 
 #include <heed/job/clashes.h>
-#include <heed/job/evaluate.h>
-#include <heed/job/road.h>
+#include <heed/logic/parse.h>
 #include <heed/util/diagnostic.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
+#include <optional>
+#include <string_view>
 
 namespace heed::job {
 namespace {
@@ -22,7 +24,7 @@ bool less(const sim::Figure& a, const sim::Figure& b) {
 
 /// Surely.
 bool at_most(const sim::Figure& a, const sim::Rational& bound) {
-  return a.exact ? *a.exact <= bound : sim::Rational(a.value + a.error) <= bound;
+  return a.exact ? *a.exact <= bound : sim::Rational(a.value) + sim::Rational(a.error) <= bound;
 }
 
 bool dominates(const TuneFigure& a, const TuneFigure& b) {
@@ -39,7 +41,11 @@ struct Policy {
 class Tuner {
  public:
   Tuner(const Scenario& scenario, const World& world, const TuneOptions& options, util::Budget& budget)
-      : scenario_(scenario), world_(world), options_(options), budget_(budget) {
+      : scenario_(scenario),
+        world_(world),
+        options_(options),
+        budget_(budget),
+        measure_(scenario, world, budget) {
     const auto& approached = scenario.evaluate->approached;
     if (!approached)
       throw util::InputError(util::Location{}, "missing-key", "what is to be approached?",
@@ -57,6 +63,8 @@ class Tuner {
       throw util::InputError(approached_.location, "no-policy",
                              "no policy is possible: " + tuning_.left_out.front().reason,
                              "report more of what it shows, or name features in a controller's 'over'");
+    for (std::size_t p = 0; p < scenario_.profiles.size(); ++p)
+      for (std::size_t n = 0; n < tuning_.noise.size(); ++n) measure_.measure({thing_, p, n}, tuning_);
     mark_fronts();
     choose();
     return std::move(tuning_);
@@ -106,11 +114,29 @@ class Tuner {
       });
     std::vector<std::size_t> order;
     add_trees(order);
+    if (options_.simple) return;
     for (const char* acting : {"cautious", "common", "brave"})
       add(fmt::format("identifying, {}", acting), "identifying", [&](ControllerPart& part) {
         part.behaviours = Word{acting, approached_.location};
         part.entities.clear();
       });
+  }
+
+  /// Of simple policies one kind of tree, with full reading where there is any; and those of the scenario.
+  [[nodiscard]] bool wanted(std::string_view policy, const std::vector<Word>& path) const {
+    if (!options_.simple || (policy == "tree-or-full") == read_whole()) return true;
+    const auto same = [](const Word& a, const Word& b) { return a.text == b.text; };
+    return std::any_of(scenario_.controllers.begin(), scenario_.controllers.end(), [&](const auto& own) {
+      return own.policy.text == policy &&
+             std::equal(own.order.begin(), own.order.end(), path.begin(), path.end(), same);
+    });
+  }
+
+  [[nodiscard]] bool read_whole() const {
+    for (const awareness::PerceptionInput& input : world_.perception.inputs)
+      for (const awareness::PerceptionInput::Meaning& meaning : input.meanings)
+        if (meaning.whole == thing_) return true;
+    return false;
   }
 
   /// Every order of two features or more that begins with \p order. As deep as there are features.
@@ -119,9 +145,11 @@ class Tuner {
       std::vector<Word> path;
       for (const std::size_t f : order) path.push_back(features_[f]);
       for (const char* policy : {"tree", "tree-or-full"})
-        add(fmt::format("{} {}", policy, words(path, " -> ")), policy,
-            [&](ControllerPart& part) { part.order = path; });
+        if (wanted(policy, path))
+          add(fmt::format("{} {}", policy, words(path, " -> ")), policy,
+              [&](ControllerPart& part) { part.order = path; });
     }
+    if (options_.simple && order.size() == 2) return;
     for (std::size_t f = 0; f < features_.size(); ++f) {
       if (std::find(order.begin(), order.end(), f) != order.end()) continue;
       order.push_back(f);
@@ -132,9 +160,11 @@ class Tuner {
 
   void evaluate_policy(const Policy& policy) {
     Synthesized done;
+    std::vector<std::size_t> own;
     try {
       const Design designed = design(scenario_, world_, policy.part);
       (void)settle_clashes(scenario_, world_, designed, budget_);
+      own = own_of(policy, designed);
       done = synthesize(designed, scenario_.perception.on_violation, budget_);
     } catch (const util::InputError& error) {
       tuning_.left_out.push_back({policy.words, error.diagnostic().message});
@@ -144,55 +174,31 @@ class Tuner {
       tuning_.left_out.push_back({policy.words, "no controller keeps the guarantees with it"});
       return;
     }
+    for (const std::size_t controller : own) tuning_.own.push_back({tuning_.policies.size(), controller});
     tuning_.policies.push_back(policy.words);
-    for (std::size_t p = 0; p < scenario_.profiles.size(); ++p)
-      for (std::size_t n = 0; n < tuning_.noise.size(); ++n) measure(*done.result.machine, p, n);
+    measure_.add(std::move(*done.result.machine));
   }
 
-  [[nodiscard]] ProfilePart noisy(const ProfilePart& profile, const sim::Rational& level) const {
-    ProfilePart result = profile;
-    const auto missed = [&](sim::Rational& rate) { rate *= 1 - level; };
-    const auto false_too = [&](sim::Rational& rate) { rate = 1 - (1 - rate) * (1 - level); };
-    for (sim::FeatureSpec& feature : result.spec.features) {
-      missed(feature.detection);
-      false_too(feature.false_detection);
-      if (feature.detection_at_end) missed(*feature.detection_at_end);
-      if (feature.false_detection_at_end) false_too(*feature.false_detection_at_end);
+  /// The controllers of the scenario that are this policy: they recognise the same in the same way.
+  std::vector<std::size_t> own_of(const Policy& policy, const Design& designed) {
+    std::vector<std::size_t> same;
+    for (std::size_t c = 0; c < scenario_.controllers.size(); ++c) {
+      const ControllerPart& own = scenario_.controllers[c];
+      if (own.policy.text != policy.part.policy.text) continue;
+      if (own_designs_.size() <= c) own_designs_.resize(scenario_.controllers.size());
+      if (!own_designs_[c]) own_designs_[c] = rules_of(design(scenario_, world_, own));
+      if (*own_designs_[c] == rules_of(designed)) same.push_back(c);
     }
-    return result;
+    return same;
   }
 
-  void measure(const model::Mealy& machine, std::size_t profile_index, std::size_t noise_index) {
-    const ProfilePart profile = noisy(scenario_.profiles[profile_index], tuning_.noise[noise_index]);
-    const EvaluateOptions exact_only{0, 0, 1, true};
-    std::map<std::string, Evaluation> known;
-    const auto evaluated = [&](Thing thing) -> const Evaluation& {
-      const auto [found, added] = known.try_emplace(appearance(profile, world_, thing));
-      if (added) found->second = evaluate(scenario_, world_, profile, machine, thing, exact_only, budget_);
-      return found->second;
-    };
-    TuneFigure figure;
-    figure.policy = tuning_.policies.size() - 1;
-    figure.profile = profile_index;
-    figure.noise = noise_index;
-    const sim::LumpedOutcome& own = evaluated(thing_).figures;
-    figure.miss = own.probability[scenario_.evaluate->miss] + own.probability.back();
-    figure.distance = sim::reaction_distance(own).mean;
-    std::vector<Thing> things{std::nullopt};
-    const awareness::Catalogue& catalogue = world_.knowledge.catalogue;
-    for (std::size_t e = 0; e < catalogue.entities.size(); ++e)
-      if (catalogue.entities[e].is_leaf() && catalogue.entities[e].satisfiable &&
-          !prescribes(world_, e, scenario_.evaluate->must_react) &&
-          !prescribes(world_, e, scenario_.evaluate->may_react))
-        things.emplace_back(e);
-    figure.needless = sim::known(0);
-    for (const Thing thing : things) {
-      const sim::LumpedOutcome& one = evaluated(thing).figures;
-      figure.needless = figure.needless + complement(one.probability.back() + one.undefined);
-    }
-    figure.needless =
-        ratio(figure.needless, sim::known(sim::Rational(static_cast<unsigned long>(things.size()))));
-    tuning_.figures.push_back(std::move(figure));
+  static std::string rules_of(const Design& designed) {
+    std::string rules;
+    for (const spec::Memory& memory : designed.composed.spec.memories)
+      rules += memory.variable.name + " := " + logic::to_string(memory.update) + '\n';
+    for (const spec::Definition& definition : designed.composed.spec.definitions)
+      rules += definition.name + " <-> " + logic::to_string(definition.formula) + '\n';
+    return rules;
   }
 
   void mark_fronts() {
@@ -237,10 +243,20 @@ class Tuner {
   std::size_t thing_ = 0;
   std::vector<Word> features_;
   std::vector<Policy> policies_;
+  std::vector<std::optional<std::string>> own_designs_;
+  TuneMeasure measure_;
   Tuning tuning_;
 };
 
 }  // namespace
+
+TuneOptions tune_options(const Scenario& scenario) {
+  TuneOptions options;
+  if (!scenario.tune) return options;
+  options.most_needless = scenario.tune->most_needless;
+  options.noise = scenario.tune->noise;
+  return options;
+}
 
 Tuning tune(const Scenario& scenario, const World& world, const TuneOptions& options, util::Budget& budget) {
   return Tuner(scenario, world, options, budget).run();

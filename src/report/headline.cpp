@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 
 #include "format.h"
 #include "lookup.h"
@@ -45,6 +47,49 @@ std::vector<std::pair<double, std::string>> rivals(const RunResult& result, cons
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   return found;
+}
+
+/// "297 of 1,000": what is not 0 or all is never said to be.
+std::string of_thousand(double share) {
+  const auto count = static_cast<std::uint64_t>(std::lround(1000 * share));
+  if (count == 0 && share > 0) return "<1";
+  if (count == 1000 && share < 1) return ">999";
+  return grouped(count);
+}
+
+std::string listed(const std::vector<std::string>& items) {
+  std::string out;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
+  return out;
+}
+
+/// Both kinds of error in one sentence.
+void add_answer(const RunResult& result, std::size_t subject, std::vector<std::string>& sentences) {
+  constexpr std::size_t most_profiles = 4;
+  const Controller& controller = result.controllers[subject];
+  std::vector<std::string> counts, names;
+  double fewest = 1, most = 0;
+  for (const Profile& profile : result.profiles) {
+    const auto miss = miss_of(result, profile.name, controller.name);
+    if (!miss) continue;
+    counts.push_back(of_thousand(*miss));
+    names.push_back(profile.name);
+    fewest = std::min(fewest, *miss);
+    most = std::max(most, *miss);
+  }
+  if (counts.empty()) return;
+  const std::string misses = counts.size() <= most_profiles
+                                 ? listed(counts)
+                                 : fmt::format("{} to {}", of_thousand(fewest), of_thousand(most));
+  const bool each = counts.size() > 1 && counts.size() <= most_profiles;
+  std::string sentence = fmt::format("{} misses {} of 1,000 approaches{}", capital(title_of(controller)),
+                                     misses, each ? fmt::format(" ({})", join(names, ", ")) : "");
+  const ErrorCount errors = count_errors(result, controller.name);
+  if (errors.signs > 0)
+    sentence +=
+        fmt::format(" and reacts needlessly to {} of {}", errors.needless, plural(errors.signs, result.kind));
+  sentences.push_back(std::move(sentence));
 }
 
 void add_overview(const RunResult& result, std::size_t subject, std::vector<std::string>& sentences) {
@@ -160,14 +205,88 @@ void add_sampling(const RunResult& result, std::vector<std::string>& sentences) 
                     grouped(traces), plural(charts, "chart"), smallest));
 }
 
+/// The figures of one policy over the profiles, at the first level of noise.
+std::vector<const TunedPolicy*> row_of(const Tuning& tuning, const std::string& policy) {
+  std::vector<const TunedPolicy*> row;
+  for (const TunedPolicy& one : tuning.figures)
+    if (one.policy == policy && one.noise == tuning.figures.front().noise) row.push_back(&one);
+  return row;
+}
+
+std::string shares(const std::vector<const TunedPolicy*>& row, Number TunedPolicy::*figure) {
+  std::vector<std::string> texts;
+  const bool same = std::all_of(row.begin(), row.end(), [&](const TunedPolicy* one) {
+    return (one->*figure).value == (row.front()->*figure).value;
+  });
+  if (same) return percent((row.front()->*figure).value) + (row.size() > 1 ? " everywhere" : "");
+  for (const TunedPolicy* one : row)
+    texts.push_back(fmt::format("{} ({})", percent((one->*figure).value), one->profile));
+  return join(texts, ", ");
+}
+
+/// Both errors at most as often in every profile, and one less often in some.
+bool better(const std::vector<const TunedPolicy*>& a, const std::vector<const TunedPolicy*>& b) {
+  bool somewhere = false;
+  for (std::size_t p = 0; p < a.size(); ++p) {
+    if (a[p]->miss.value > b[p]->miss.value || a[p]->needless.value > b[p]->needless.value) return false;
+    somewhere |= a[p]->miss.value < b[p]->miss.value || a[p]->needless.value < b[p]->needless.value;
+  }
+  return somewhere;
+}
+
+/// Of "1/10".
+double value_of(const std::string& fraction) {
+  const auto slash = fraction.find('/');
+  const double over = std::strtod(fraction.c_str(), nullptr);
+  return slash == std::string::npos ? over : over / std::strtod(fraction.c_str() + slash + 1, nullptr);
+}
+
+/// What the subject's policy costs, and what does better.
+void add_policies(const RunResult& result, std::size_t subject, std::vector<std::string>& sentences) {
+  const Tuning& tuning = result.tuning;
+  const Controller& controller = result.controllers[subject];
+  std::vector<std::string> policies;
+  std::string own;
+  for (const TunedPolicy& one : tuning.figures) {
+    if (std::find(policies.begin(), policies.end(), one.policy) == policies.end())
+      policies.push_back(one.policy);
+    if (one.controller == controller.name) own = one.policy;
+  }
+  if (own.empty()) return;
+  const auto row = row_of(tuning, own);
+  sentences.push_back(
+      fmt::format("What “{}” costs: past what asks for no reaction (mean over {}) it reacts in {}", own,
+                  plural(tuning.things, "thing"), shares(row, &TunedPolicy::needless)));
+  const auto winner = std::find_if(policies.begin(), policies.end(), [&](const std::string& policy) {
+    return better(row_of(tuning, policy), row);
+  });
+  if (winner != policies.end())
+    sentences.push_back(fmt::format("“{}” is better in both: it misses {} and reacts needlessly in {}",
+                                    *winner, shares(row_of(tuning, *winner), &TunedPolicy::miss),
+                                    shares(row_of(tuning, *winner), &TunedPolicy::needless)));
+  else
+    sentences.push_back(fmt::format(
+        "None of the {} other policies compared makes fewer errors of one kind without more of the other",
+        policies.size() - 1));
+  if (tuning.best.empty() || tuning.best == own) return;
+  const std::string bound = tuning.bound.empty() ? ""
+                                                 : fmt::format(" with needless reactions in {} at most",
+                                                               percent(value_of(tuning.bound)));
+  sentences.push_back(fmt::format("The fewest misses{}: “{}”, which misses {} and reacts needlessly in {}",
+                                  bound, tuning.best, shares(row_of(tuning, tuning.best), &TunedPolicy::miss),
+                                  shares(row_of(tuning, tuning.best), &TunedPolicy::needless)));
+}
+
 }  // namespace
 
 std::vector<std::string> headline_of(const RunResult& result) {
   std::vector<std::string> sentences;
   if (const auto subject = subject_of(result)) {
+    add_answer(result, *subject, sentences);
+    add_policies(result, *subject, sentences);
+    add_needless(result, *subject, sentences);
     add_overview(result, *subject, sentences);
     add_profiles(result, *subject, sentences);
-    add_needless(result, *subject, sentences);
   }
   add_verdicts(result, sentences);
   add_sampling(result, sentences);

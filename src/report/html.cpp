@@ -42,6 +42,7 @@ void write_contents(Markup& page, const RunResult& result) {
   link(!result.charts.empty(), "outcomes", "Outcomes");
   link(!result.speed.curves.empty() && !result.charts.empty(), "speed", "Braking");
   link(has_errors(result), "catalogue", "Every " + result.kind);
+  link(!result.tuning.figures.empty(), "policies", "Policies");
   link(!result.roads.empty(), "roads", "Roads");
   link(true, "method", "Method");
   link(true, "timings", "Timings");
@@ -61,6 +62,7 @@ void write_body(Markup& page, const RunResult& result) {
     write_outcomes(page, result);
     write_speed(page, result);
     write_catalogue(page, result);
+    write_policies(page, result);
     write_roads(page, result);
     write_method(page, result);
     write_timings(page, result);

@@ -2,8 +2,10 @@
 
 #include <heed/report/result.h>
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "markup.h"
 
@@ -24,12 +26,21 @@ void write_outcomes(Markup& page, const RunResult& result);
 void write_speed(Markup& page, const RunResult& result);
 void write_catalogue(Markup& page, const RunResult& result);
 void write_roads(Markup& page, const RunResult& result);
+void write_policies(Markup& page, const RunResult& result);
 void write_method(Markup& page, const RunResult& result);
 void write_timings(Markup& page, const RunResult& result);
 
 /// All charts of one profile as one picture: outcomes from top to bottom, one bar per controller.
 void draw_profile(Markup& page, const RunResult& result, const Profile& profile);
 void draw_speed(Markup& page, const SpeedPicture& picture);
+/// Misses over needless reactions: one point per policy, the front as a line. Points on it bear the numbers
+/// that front_numbers() gives. \pre \p figures are of one profile and one level of noise
+void draw_front(Markup& page, const std::vector<const TunedPolicy*>& figures,
+                const std::function<std::string(const std::string&)>& colour);
+/// Per figure: its number on the front, from 1; 0 for what is not on it.
+[[nodiscard]] std::vector<std::size_t> front_numbers(const std::vector<const TunedPolicy*>& figures);
+/// The figures of one panel after the other: same profile, same noise.
+[[nodiscard]] std::vector<std::vector<const TunedPolicy*>> panels_of(const Tuning& tuning);
 
 /// Class of a controller's colour: `k0` is the subject, the others follow in their order.
 [[nodiscard]] std::string colour_class(const RunResult& result, std::string_view controller);

@@ -130,6 +130,7 @@ struct Document {
       value["reaction"] = {{"mean", to_value(chart.reaction)},
                            {"when_it_reacts", to_value(chart.reaction_when_it_reacts)}};
     if (chart.conflict) value["conflict"] = to_value(chart.conflict);
+    if (chart.broken) value["assumptions_broken"] = to_value(chart.broken);
     if (chart.traces > 0)
       value["chi_square"] = {{"statistic", chart.chi_square},
                              {"degrees_of_freedom", chart.degrees_of_freedom},
@@ -206,6 +207,29 @@ struct Document {
             {"location", to_value(diagnostic.location)}};
   }
 
+  static Json to_value(const TunedPolicy& one) {
+    return {{"policy", one.policy},
+            {"profile", one.profile},
+            {"noise", one.noise},
+            {"controller", one.controller.empty() ? Json(nullptr) : Json(one.controller)},
+            {"miss", to_value(one.miss)},
+            {"needless", to_value(one.needless)},
+            {"cells_left", to_value(one.distance)},
+            {"braking", to_value(one.braking)},
+            {"hardest_braking", to_value(one.hardest)},
+            {"on_front", one.on_front}};
+  }
+
+  static Json to_value(const Tuning& tuning) {
+    if (tuning.figures.empty()) return nullptr;
+    return {{"bound", tuning.bound.empty() ? Json(nullptr) : Json(tuning.bound)},
+            {"best", tuning.best.empty() ? Json(nullptr) : Json(tuning.best)},
+            {"things", tuning.things},
+            {"whole", tuning.whole},
+            {"left_out", tuning.left_out},
+            {"figures", to_list(tuning.figures)}};
+  }
+
   static Json to_value(const Version& version) {
     return {{"name", version.name}, {"version", version.version}};
   }
@@ -245,6 +269,7 @@ struct Document {
     value["roads"] = to_list(result.roads);
     value["road"] = result.road;
     value["speed"] = to_value(result.speed);
+    value["tuning"] = to_value(result.tuning);
     value["seed"] = result.seed;
     value["confidence"] = result.confidence;
     value["interval"] = result.interval;

@@ -36,7 +36,7 @@ p, li, dd { max-width: 68ch; }
 p { margin: 0 0 1em; }
 a { color: var(--link); text-underline-offset: .18em; }
 code { font: .86em/1.5 var(--mono); }
-h1 { font: 600 clamp(1.7rem, 1.2rem + 2.4vw, 3rem)/1.15 var(--serif); letter-spacing: -.012em; max-width: 22em; margin: .2em 0 .5em; text-wrap: balance; }
+h1 { font: 600 clamp(1.6rem, 1.2rem + 1.9vw, 2.5rem)/1.2 var(--serif); letter-spacing: -.012em; max-width: 27em; margin: .2em 0 .5em; text-wrap: balance; }
 h2 { font: 600 clamp(1.35rem, 1.15rem + .9vw, 1.8rem)/1.25 var(--serif); margin: 0 0 .4em; }
 h3 { font: 600 1.02rem/1.4 var(--sans); margin: 1.6em 0 .5em; }
 .hero { padding-top: clamp(2rem, 6vw, 4.5rem); padding-bottom: 1rem; }
@@ -71,6 +71,7 @@ tbody th { font-weight: 500; }
 .misses th:first-child { text-align: left; }
 .misses .subject th, .misses .subject td { font-weight: 700; }
 .misses { width: 100%; }
+.rule { min-width: 10.5rem; }
 @media (max-width: 40rem) { .misses th, .misses td { padding: .5em .3em; } .misses td { font-size: 1.08rem; } }
 .who { display: inline-flex; align-items: baseline; gap: .5em; }
 .swatch { flex: none; width: .75em; height: .75em; border-radius: .15em; background: var(--swatch); }
@@ -148,6 +149,11 @@ svg .gentle { stroke: var(--gentle); } svg .firm { stroke: var(--firm); } svg .e
 svg .pass { stroke: var(--soft); stroke-dasharray: 5 4; stroke-width: 1.6; fill: none; }
 svg .sign { fill: var(--sign); }
 svg .name { font-weight: 600; }
+svg .front { fill: none; stroke: var(--soft); stroke-width: 1.6; stroke-dasharray: 2 3; }
+svg .policy { fill: var(--paper); stroke: var(--soft); stroke-width: 1.3; }
+svg .policy.best { fill: var(--ink); stroke: var(--ink); }
+svg .policy.own { fill: var(--swatch); stroke: var(--swatch); }
+svg .number { font-size: 12px; font-weight: 600; }
 @media (max-width: 40rem) { svg.speed text { font-size: 15px; } svg.speed .tick { font-size: 14.5px; } }
 )css";
 

@@ -68,6 +68,7 @@ class Roads : public testing::Test {
 TEST_F(Roads, TwoSignsOneAfterTheOther) {
   const std::vector<std::pair<const char*, Detects>> controllers{
       {"base", base_detects}, {"tree", tree_detects}, {"awareness", two_of(Sign | Colour | Shape)}};
+  job::Approaches approaches(world_, budget_);
   for (const auto& [name, detects] : controllers) {
     const model::Mealy machine =
         read_controller(example_.path(std::string("out/") + name + ".controller.json"));
@@ -78,7 +79,7 @@ TEST_F(Roads, TwoSignsOneAfterTheOther) {
         road.length = 2;
         const Expected expected = enumerated(traces_of(profile.spec.name), signs, detects);
         const job::RoadEvaluation found =
-            job::evaluate_road(outcome_.scenario, world_, profile, road, machine, budget_);
+            job::evaluate_road(outcome_.scenario, world_, profile, road, machine, approaches, budget_);
         const std::string what = profile.spec.name + " " + name + " " + signs[0].name + " " + signs[1].name;
         EXPECT_EQ(found.needless, expected.needless) << what;
         EXPECT_EQ(found.misses, expected.misses) << what;

@@ -10,6 +10,7 @@
 #include <heed/util/limits.h>
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,6 +62,33 @@ struct PlannedApproach {
 [[nodiscard]] PlannedApproach plan_approach(const ProfilePart& profile, const World& world,
                                             const std::vector<model::Variable>& inputs,
                                             const std::string& controller, Thing thing);
+
+/// An approach that is ready for any machine with the same inputs: nothing in it depends on what it answers.
+struct ReadyApproach {
+  PlannedApproach plan;
+  std::optional<sim::Chain> chain;  ///< Where it is small.
+};
+[[nodiscard]] ReadyApproach ready_approach(const ProfilePart& profile, const World& world,
+                                           const std::vector<model::Variable>& inputs,
+                                           const std::string& controller, Thing thing, util::Budget& budget);
+
+/// Approaches that several machines make: each is made ready once.
+class Approaches {
+ public:
+  Approaches(const World& world, util::Budget& budget) : world_(world), budget_(budget) {}
+  /// Valid as long as this.
+  const ReadyApproach& ready(const ProfilePart& profile, const model::Mealy& machine, Thing thing);
+
+ private:
+  const World& world_;
+  util::Budget& budget_;
+  std::map<std::string, ReadyApproach> known_;
+};
+
+/// What the exact analysis finds of a machine on an approach. \param judge  Of that machine. \throws
+/// util::LimitExceeded
+[[nodiscard]] sim::LumpedOutcome exact_figures(const ReadyApproach& approach, const model::Mealy& machine,
+                                               const sim::Judge& judge, util::Budget& budget);
 
 /// What an approach looks like: the same text means the same distribution of observations.
 [[nodiscard]] std::string appearance(const ProfilePart& profile, const World& world, Thing thing);

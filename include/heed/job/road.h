@@ -24,10 +24,12 @@ struct RoadEvaluation {
 /// \throws util::InputError  a road names what is no entity
 void check_roads(const Scenario& scenario, const World& world);
 
+/// \param approaches  Of the same world; shared by the machines that are driven.
 /// \throws util::InputError  an unknown thing; util::LimitExceeded  the chain of a profile is too large
 [[nodiscard]] RoadEvaluation evaluate_road(const Scenario& scenario, const World& world,
                                            const ProfilePart& profile, const RoadPart& road,
-                                           const model::Mealy& machine, util::Budget& budget);
+                                           const model::Mealy& machine, Approaches& approaches,
+                                           util::Budget& budget);
 
 /// Which transitions of \p machine see a conflict: where `conflict` of [evaluate] holds, else its column
 /// `observation_conflict`; nothing where it has neither.

@@ -122,6 +122,12 @@ struct EvaluatePart {
   bool speed_wanted = false;  ///< Where one of the two is given: the machine is one that brakes on a road.
 };
 
+/// Whether other policies are compared in the report, and by what.
+struct TunePart {
+  std::optional<sim::Rational> most_needless;
+  std::vector<sim::Rational> noise{0};
+};
+
 /// A slower speed, and when it is kept.
 struct SpeedLevelPart {
   WrittenFormula when;
@@ -153,6 +159,7 @@ struct Scenario {
   std::vector<ProfilePart> profiles;
   std::optional<EvaluatePart> evaluate;
   std::vector<RoadPart> roads;
+  std::optional<TunePart> tune;
   DrivePart drive;
 };
 

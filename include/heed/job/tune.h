@@ -2,6 +2,7 @@
 
 #include <heed/job/controller.h>
 #include <heed/job/scenario.h>
+#include <heed/report/result.h>
 #include <heed/sim/lumping.h>
 #include <heed/util/limits.h>
 
@@ -19,8 +20,20 @@ struct TuneFigure {
   /// P(needless reaction) when everything of the catalogue that neither obliges to react nor excuses it, and
   /// nothing at all, are equally likely.
   sim::Figure needless;
-  sim::Figure distance;   ///< Expected distance of the reaction to the approached thing, in cells.
-  bool on_front = false;  ///< No other policy is better in one of the three and as good in the others.
+  sim::Figure distance;  ///< Expected distance of the reaction to the approached thing, in cells.
+  /// Of a machine that brakes on a road, in m/s^2: v^2 / (2 n cell) where it reacts n cells before the thing.
+  /// The mean and the largest over the runs that react while there is a way left to brake on (n > 0); nothing
+  /// where none does, or where the scenario has neither `cell_metres` nor `speed_kmh`.
+  std::optional<sim::Figure> braking, hardest;
+  /// No other policy is better in misses, needless reactions or distance and as good in the others. Braking
+  /// follows from the distance run by run, and its mean over the runs that brake would reward who reacts late
+  /// never: it does not decide.
+  bool on_front = false;
+};
+
+/// A policy that is one of the scenario's controllers.
+struct OwnPolicy {
+  std::size_t policy = 0, controller = 0;  ///< Indices into Tuning::policies and Scenario::controllers.
 };
 
 /// A policy without figures, and why.
@@ -32,6 +45,9 @@ struct LeftOut {
 struct Tuning {
   std::vector<std::string> policies;  ///< In words, such as "at least 2 of sign, red, octagon".
   std::vector<LeftOut> left_out;      ///< What the scenario does not allow, or no controller can do.
+  std::vector<OwnPolicy> own;
+  std::size_t things =
+      0;  ///< How many things, nothing at all included, a needless reaction is the mean over.
   std::vector<sim::Rational> noise;
   std::vector<TuneFigure> figures;  ///< By profile, noise, then misses ascending.
   /// The policy with the least misses in its worst profile and noise, among those whose needless reactions
@@ -44,7 +60,12 @@ struct TuneOptions {
   /// At level e every feature of a profile is missed with probability e more often, and falsely reported with
   /// probability e where it would not be.
   std::vector<sim::Rational> noise{0};
+  /// Only what a report has room and time for: read whole, definition, at least k, and trees of two levels,
+  /// with full reading where something is read whole.
+  bool simple = false;
 };
+/// What the scenario says in `[tune]`.
+[[nodiscard]] TuneOptions tune_options(const Scenario& scenario);
 
 /// Synthesizes, verifies and evaluates every policy for the approached thing of \p scenario: full,
 /// definition, at least k of its features for every k, trees and trees with full reading in every order of
@@ -55,5 +76,9 @@ struct TuneOptions {
 /// policy is possible; util::LimitExceeded
 [[nodiscard]] Tuning tune(const Scenario& scenario, const World& world, const TuneOptions& options,
                           util::Budget& budget);
+
+/// The same as the report shows it.
+[[nodiscard]] report::Tuning describe_tuning(const Scenario& scenario, const Tuning& tuning,
+                                             const TuneOptions& options);
 
 }  // namespace heed::job

@@ -121,6 +121,7 @@ struct Chart {
   std::optional<Number> reaction{};  ///< Expected distance of the reaction in cells, 0 where there is none.
   std::optional<Number> reaction_when_it_reacts{};  ///< The same over the runs with a reaction.
   std::optional<Number> conflict{};  ///< P(what is seen contradicts itself); where the controller can tell.
+  std::optional<Number> broken{};    ///< P(an assumption on perception breaks), whatever answers then.
 };
 
 /// Driving past one thing with one controller under one profile.
@@ -181,6 +182,26 @@ struct SpeedPicture {
   std::vector<SpeedCurve> curves{};
 };
 
+/// One policy under one profile at one level of noise.
+struct TunedPolicy {
+  std::string policy, profile;
+  std::string noise = "0";   ///< "1/20"
+  std::string controller{};  ///< The controller of the run that is this policy; may be empty.
+  Number miss{}, needless{}, distance{};
+  std::optional<Number> braking{}, hardest{};  ///< m/s^2, mean and largest; where the machine brakes.
+  bool on_front = false;                       ///< Nothing beats it.
+};
+
+/// Policies side by side.
+struct Tuning {
+  std::vector<TunedPolicy> figures{};   ///< By profile, noise, misses.
+  std::vector<std::string> left_out{};  ///< Policies without figures, with the reason.
+  std::string bound{};                  ///< On needless reactions, "1/10"; empty: none.
+  std::string best{};                   ///< The policy with the fewest misses within it; empty: none.
+  std::uint64_t things = 0;             ///< That a needless reaction is the mean over.
+  bool whole = false;                   ///< All policies that there are, not only the simple ones.
+};
+
 struct Version {
   std::string name;
   std::string version;
@@ -221,6 +242,7 @@ struct RunResult {
   /// The car's way past the sign without a stop, such as M0 M4 M3 M2 M1 M0.
   std::vector<std::string> road{};
   SpeedPicture speed{};
+  Tuning tuning{};  ///< Empty: no policies were compared.
   std::uint64_t seed = 0;
   double confidence = 0.95;           ///< Of the intervals.
   std::string interval = "Wilson";    ///< Their kind.

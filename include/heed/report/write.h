@@ -24,4 +24,8 @@ struct TextOptions {
 /// `data-path`.
 [[nodiscard]] std::string to_html(const RunResult& result);
 
+/// The policies as an SVG document: one panel for each profile and level of noise, misses over needless
+/// reactions, with the front. Same value, same bytes.
+[[nodiscard]] std::string to_svg(const Tuning& tuning);
+
 }  // namespace heed::report

@@ -35,6 +35,7 @@ RunResult spoilt() {
     entry.label = entry.group = hostile;
     entry.features = entry.behaviours = {hostile};
   }
+  for (TunedPolicy& one : result.tuning.figures) one.policy = one.noise = hostile;
   for (SpeedCurve& curve : result.speed.curves) curve.label = hostile;
   result.warnings[0].message = result.warnings[0].hint = hostile;
   result.versions = {{hostile, hostile}};
@@ -68,6 +69,16 @@ TEST(Html, NeedsNoNetworkAndNoScript) {
     EXPECT_EQ(page.find(word), std::string::npos) << word;
   // The only addresses are names of namespaces and the ontology's own.
   EXPECT_EQ(page.find("href=\"http"), std::string::npos);
+}
+
+TEST(Html, PoliciesStandWhereTheirErrorsAre) {
+  const std::string page = to_html(sample::result());
+  // Misses 47/128 without needless reactions: on the axis, 19/64 at 22/43: the controller's colour.
+  EXPECT_NE(page.find("<circle class=\"policy best\" cx=\"46\" cy=\"165.22\""), std::string::npos);
+  EXPECT_NE(page.find("<circle class=\"policy own\" cx=\"199.49\" cy=\"180.69\""), std::string::npos);
+  EXPECT_EQ(test::flaw(to_svg(sample::tuning())), "");
+  EXPECT_EQ(test::flaw(to_svg(Tuning{})), "");
+  EXPECT_NE(to_svg(sample::tuning()).find("tree-or-full: misses 36.7 %, needless 0 %"), std::string::npos);
 }
 
 TEST(Html, SameResultSameBytes) {
@@ -114,7 +125,7 @@ TEST(Html, SpeaksToScreenReaders) {
     const auto title = page.find("<title>", at), desc = page.find("<desc>", at);
     titles += title < end && desc < page.find("</svg>", at) ? 1 : 0;
   }
-  EXPECT_EQ(pictures, 4u);
+  EXPECT_EQ(pictures, 6u);
   EXPECT_EQ(titles, pictures);
   EXPECT_NE(page.find("Awareness: infeasible 0 %, stop in 1 33.3 %"), std::string::npos);
 }

@@ -252,6 +252,45 @@ inline std::vector<Road> roads() {
   return {road};
 }
 
+/// Three policies with the figures of the case study, the last one no controller of the run.
+inline Tuning tuning() {
+  struct Row {
+    const char *policy, *controller, *miss, *needless, *distance, *braking;
+    bool on_front;
+  };
+  const auto figures = [](const char* profile, const std::vector<Row>& rows, Tuning& out) {
+    for (const Row& row : rows) {
+      TunedPolicy one{row.policy,
+                      profile,
+                      "0",
+                      row.controller,
+                      rational(row.miss),
+                      rational(row.needless),
+                      rational(row.distance)};
+      one.braking = rational(row.braking);
+      one.hardest = Number{"", 9.645, 1e-3};
+      one.on_front = row.on_front;
+      out.figures.push_back(std::move(one));
+    }
+  };
+  Tuning out;
+  figures("P1",
+          {{"at least 2", "awareness", "19/64", "22/43", "105/64", "5", true},
+           {"tree-or-full", "", "47/128", "0", "173/128", "11/2", true},
+           {"read whole", "base", "5/8", "0", "9/16", "7", false}},
+          out);
+  figures("P2",
+          {{"at least 2", "awareness", "0", "22/43", "2", "6", true},
+           {"tree-or-full", "", "1/6", "0", "3/2", "13/2", true},
+           {"read whole", "base", "2/3", "0", "1/3", "19/2", false}},
+          out);
+  out.bound = "1/10";
+  out.best = "tree-or-full";
+  out.things = 43;
+  out.left_out = {"definition: nothing describes it"};
+  return out;
+}
+
 inline RunResult result() {
   RunResult r;
   r.scenario = "stop-sign";
@@ -276,10 +315,12 @@ inline RunResult result() {
     chart.reaction_when_it_reacts = rational("7/3");
   }
   r.charts[0].conflict = rational("1/9");
+  r.charts[1].broken = rational("1/16");
   r.charts[0].reaction_when_it_reacts.reset();
   r.roads = roads();
   r.road = {"M0", "M4", "M3", "M2", "M1", "M0"};
   r.speed = speed_picture(10, 50, 4);
+  r.tuning = tuning();
   r.speed.curves[0].states = {"M0", "M4", "M3", "M2", "M1", "S0"};
   r.speed.curves[1].states = {"M0", "M4", "M3", "M2", "S1", "S0"};
   r.speed.curves[2].states = {"M0", "M4", "M3", "S2", "S1", "S0"};
