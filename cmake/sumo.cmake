@@ -1,14 +1,18 @@
 # SUMO for `heed drive`, as a module that is loaded only there: its library brings some 200 others, which take longer to load than
 # most commands do. Elsewhere the program has everything but that command, which says what is missing.
-find_package(SUMO QUIET HINTS /usr/share/sumo/cmake)
-if(TARGET SUMO::libsumocpp AND NOT HEED_SANITIZE)  # sanitizers look at this program, not at SUMO
-  set(sumo_found ON)
+set(HEED_SUMO AUTO CACHE STRING "heed drive, closed loop in SUMO: ON, OFF, or AUTO for where SUMO is found")
+set(heed_with_sumo ${HEED_SUMO})
+if(HEED_SUMO STREQUAL AUTO)
+  find_package(SUMO QUIET HINTS /usr/share/sumo/cmake)
+  set(heed_with_sumo OFF)
+  if(TARGET SUMO::libsumocpp AND NOT HEED_SANITIZE)  # sanitizers look at this program, not at SUMO
+    set(heed_with_sumo ON)
+  endif()
 endif()
-option(HEED_SUMO "heed drive: closed loop in SUMO, a module that is loaded only there" ${sumo_found})
 
 function(heed_sumo_module room)
   target_link_libraries(${room} PRIVATE ${CMAKE_DL_LIBS})
-  if(NOT HEED_SUMO)
+  if(NOT heed_with_sumo)
     message(STATUS "heed drive: no SUMO (scripts/setup extras): built without it")
     return()
   endif()

@@ -93,7 +93,7 @@ std::string braking_svg(const DriveResult& result) {
                   {left + panel_width * static_cast<double>(p), 82, "name"});
     for (std::size_t c = 0; c < result.controllers.size(); ++c) {
       const double y = top + 14 + panel_height * static_cast<double>(c);
-      write_label(page, shorten(clean(result.controllers[c].title), 21),
+      write_label(page, shorten(clean(result.controllers[c].title), 19),
                   {left - 12, y + plot_height - 4, "", "end"});
       for (std::size_t p = 0; p < result.profiles.size(); ++p)
         for (const DriveRun& run : result.runs)

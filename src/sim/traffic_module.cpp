@@ -29,8 +29,8 @@ std::vector<std::string> places(const std::string& module) {
 [[noreturn]] void missing(const std::string& why) {
   throw util::InputError(
       util::Location{}, "no-sumo", why,
-      "install SUMO with `scripts/setup extras` (Debian: sumo, sumo-tools), then configure "
-      "with -DHEED_SUMO=ON and build again; heed simulate needs none of it");
+      "install SUMO with `scripts/setup extras` (Debian: sumo, sumo-tools), then configure and build "
+      "again; heed simulate needs none of it");
 }
 
 }  // namespace
