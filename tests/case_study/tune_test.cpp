@@ -64,6 +64,55 @@ TEST_F(Tune, MissesAndDistancesAreThoseOfTheEnumeration) {
   EXPECT_EQ(compared, 3 * policies().size());
 }
 
+/// From v = 50 km/h to rest over n cells of 10 m: v^2 / (2 n 10 m), from the enumerated stops.
+TEST_F(Tune, BrakingIsThatOfTheStops) {
+  const mpq_class speed = mpq_class(50 * 5, 18), one_cell = speed * speed / 20;
+  std::size_t compared = 0;
+  const job::Tuning tuning = tuned({});
+  for (const job::TuneFigure& figure : tuning.figures) {
+    const auto known = policies().find(tuning.policies[figure.policy]);
+    if (known == policies().end()) continue;
+    const std::string& profile = scenario_.profiles[figure.profile].spec.name;
+    const auto where = detection(traces_of(profile), Sign | Colour | Shape | Whole, known->second);
+    mpq_class sum = 0, stops = 0, hardest = 0;
+    for (unsigned n = cells - 1; n > 0; --n) {
+      if (where[n] == 0) continue;
+      hardest = one_cell / n;
+      sum += where[n] * hardest;
+      stops += where[n];
+    }
+    ASSERT_TRUE(figure.braking);
+    EXPECT_EQ(*figure.braking->exact, mpq_class(sum / stops)) << profile << ' ' << known->first;
+    EXPECT_EQ(*figure.hardest->exact, hardest) << profile << ' ' << known->first;
+    ++compared;
+  }
+  EXPECT_EQ(compared, 3 * policies().size());
+}
+
+TEST_F(Tune, SimpleOnesAreAmongAllAndNameTheScenariosOwn) {
+  job::TuneOptions options;
+  const job::Tuning all = tuned(options);
+  options.simple = true;
+  const job::Tuning simple = tuned(options);
+  EXPECT_LT(simple.policies.size(), all.policies.size() / 2);
+  for (const job::TuneFigure& one : simple.figures) {
+    const auto same = std::find_if(all.figures.begin(), all.figures.end(), [&](const job::TuneFigure& other) {
+      return all.policies[other.policy] == simple.policies[one.policy] && other.profile == one.profile;
+    });
+    ASSERT_NE(same, all.figures.end()) << simple.policies[one.policy];
+    EXPECT_EQ(*one.miss.exact, *same->miss.exact);
+    EXPECT_EQ(*one.needless.exact, *same->needless.exact);
+  }
+  std::map<std::string, std::string> own;
+  for (const job::OwnPolicy& one : simple.own)
+    own[scenario_.controllers[one.controller].name.text] = simple.policies[one.policy];
+  const std::map<std::string, std::string> expected{{"base", "read whole"},
+                                                    {"tree", "tree sign -> red"},
+                                                    {"awareness", "at least 2 of sign, red, octagon"},
+                                                    {"tree-or-full", "tree-or-full sign -> red"}};
+  EXPECT_EQ(own, expected);
+}
+
 TEST_F(Tune, NeedlessReactionsAreTheMeanOverTheCatalogue) {
   const Outcome run = run_job(example_.scenario(), example_.path("out"));
   std::map<std::string, std::pair<mpq_class, unsigned long>> sums;

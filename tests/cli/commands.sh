@@ -131,6 +131,12 @@ check 'simulate --width' exits 0 "$heed" simulate "$scenario" "$work/run/base.co
 check 'simulate --width is a number' exits 2 "$heed" simulate "$scenario" "$work/run/base.controller.json" --width wide
 check 'tune' exits 0 "$heed" tune "$scenario" --false-braking 1/10
 check 'tune names a policy' says 'tree-or-full sign -> octagon'
+check 'tune says how hard the car brakes' says 'hardest'
+check 'tune --output draws' exits 0 "$heed" tune "$scenario" --output "$work/front.svg"
+check 'and draws the picture of the documentation' cmp "$work/front.svg" docs/policies.svg
+for figure in '0.296875   0.511628' '0.475000   0.256205' '0.367188   0.000000' '0.549074   0.000000' 'misses 47/128, needless 0'; do
+  check "tune prints what the documentation says: $figure" says "$figure"
+done
 check 'tune finds none under an impossible bound' exits 1 "$heed" tune "$scenario" --false-braking 0 --noise 1/2
 check 'tune takes a probability' exits 2 "$heed" tune "$scenario" --false-braking 3/2
 check 'tune takes levels' exits 2 "$heed" tune "$scenario" --noise 0,much

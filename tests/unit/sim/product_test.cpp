@@ -112,6 +112,18 @@ TEST(Product, OtherToolsFindTheTableOfTheCaseStudy) {
   }
 }
 
+TEST(Product, OtherToolsFindWhatIsMisread) {
+  ProfileSpec profile = p1();
+  profile.misreadings = {{"red", "stop_sign", q("1/4"), q("0")}, {"octagon", "red", q("1/3"), {}, true}};
+  Chart made = chart(profile, "base", base, {});
+  util::Budget budget;
+  for (const Rational& p : exact_outcome(made.run(), budget).probability)
+    made.expected.push_back(fraction(p));
+  ASSERT_NE(made.expected[0], "5/8");
+  expect_outcomes(read_prism(write_prism(product_of(made.run()))), made);
+  expect_outcomes(read_jani(write_jani(product_of(made.run()))), made);
+}
+
 TEST(Product, ProbabilitiesOfAStateAddUpToOneAndEndsHaveNoSteps) {
   for (const Chart& chart : charts()) {
     const Product chain = product_of(chart.run());
