@@ -250,10 +250,23 @@ class Driver {
     if (options_.progress) options_.progress(stage, done);
   }
 
+  /// What is judged, and what [drive] asks of a step: each as an event would be.
+  void check_formulas(const Design& designed) const {
+    check_evaluate(scenario_, world_, designed);
+    std::vector<WrittenFormula> asked;
+    if (scenario_.drive.stop) asked.push_back(*scenario_.drive.stop);
+    for (const SpeedLevelPart& level : scenario_.drive.slow) asked.push_back(level.when);
+    Scenario as_event = scenario_;
+    for (const WrittenFormula& formula : asked) {
+      as_event.evaluate->event = formula;
+      check_evaluate(as_event, world_, designed);
+    }
+  }
+
   void make_machine(const ControllerPart& part) {
     progress("synthesize and verify " + part.name.text, 0);
     const Design designed = design(scenario_, world_, part);
-    check_evaluate(scenario_, world_, designed);
+    check_formulas(designed);
     (void)settle_clashes(scenario_, world_, designed, budget_);
     Synthesized made = synthesize(designed, scenario_.perception.on_violation, budget_);
     if (!made.result.realizable) {

@@ -139,6 +139,25 @@ TEST(Drive, NamesAreChecked) {
   EXPECT_THROW((void)drive(read_scenario(util::read_file(stop_sign)), options, budget), util::InputError);
 }
 
+TEST(Drive, FormulasAreCheckedAgainstThePlant) {
+  if (!has_sumo()) GTEST_SKIP() << "built without SUMO (scripts/setup extras)";
+  DriveOptions options;
+  options.sumo = module_path;
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"slow = [{ when = \"movng\", kmh = 30 }]", "moving"},
+      {"stop = \"F stopping\"", "'F stopping' cannot be decided in one step"}};
+  for (const auto& [line, told] : cases) {
+    util::Budget budget;
+    try {
+      (void)drive(scenario_with(line), options, budget);
+      FAIL() << line;
+    } catch (const util::InputError& error) {
+      EXPECT_NE(util::to_string(error.diagnostic()).find(told), std::string::npos) << error.what();
+      EXPECT_GT(error.diagnostic().location.line, 100U);
+    }
+  }
+}
+
 /// How often each outcome occurs among the same draws without a road: as `heed simulate` counts.
 std::vector<std::uint64_t> sampled(const Scenario& scenario, const World& world, const ProfilePart& profile,
                                    const model::Mealy& machine, std::uint64_t roads) {
