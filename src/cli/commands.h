@@ -13,6 +13,7 @@ int synth_command(const Arguments& arguments);
 int verify_command(const Arguments& arguments);
 int simulate_command(const Arguments& arguments);
 int tune_command(const Arguments& arguments);
+int profile_command(const Arguments& arguments);
 int play_command(const Arguments& arguments);
 int drive_command(const Arguments& arguments);
 int export_command(const Arguments& arguments);

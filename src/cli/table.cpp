@@ -54,6 +54,15 @@ Command tune_entry() {
           tune_command};
 }
 
+Command profile_entry() {
+  return {"profile",
+          "Show what perception profiles report: each feature, cell by cell",
+          {{"SCENARIO", "Scenario file"}},
+          {{"--output", "FILE", "", "", "Draw it as SVG, too"}},
+          "heed profile examples/stop-sign/stop-sign.toml --output profiles.svg",
+          profile_command};
+}
+
 Command drive_entry() {
   return {"drive",
           "Drive the controllers in a simulator of traffic (SUMO), with cars behind them",
@@ -81,6 +90,7 @@ std::vector<Command> scenario_commands() {
        "heed run examples/stop-sign/stop-sign.toml -o out/stop-sign",
        run_command},
       tune_entry(),
+      profile_entry(),
       {"play",
        "Write a page on which people reveal features and watch the controllers drive",
        {{"SCENARIO", "Scenario file"}},

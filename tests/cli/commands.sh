@@ -129,6 +129,12 @@ check 'simulate --rare estimates' says 'stop in 4 by splitting: 0.00'
 check 'simulate --rare knows the outcomes' exits 2 "$heed" simulate "$scenario" "$work/run/base.controller.json" --rare 'stop in 9'
 check 'simulate --width' exits 0 "$heed" simulate "$scenario" "$work/run/base.controller.json" --profile P2 --width 0.01
 check 'simulate --width is a number' exits 2 "$heed" simulate "$scenario" "$work/run/base.controller.json" --width wide
+check 'profile' exits 0 "$heed" profile "$scenario" --output "$work/profile.svg"
+check 'profile prints each feature per cell' says 'red                0.0000   0.2500   0.4375   0.5938   1.0000'
+check 'profile draws the picture of the documentation' cmp "$work/profile.svg" docs/formats/profile.svg
+check 'profile --json' exits 0 "$heed" profile "$scenario" --json
+check 'profile --json is JSON' is_json
+check 'profile --json has fractions' says '"7/16"'
 check 'tune' exits 0 "$heed" tune "$scenario" --false-braking 1/10
 check 'tune names a policy' says 'tree-or-full sign -> octagon'
 check 'tune says how hard the car brakes' says 'hardest'

@@ -3,6 +3,8 @@
 #include <heed/report/result.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace heed::report {
 
@@ -23,6 +25,14 @@ struct TextOptions {
 /// prints. Every number of a chart carries its JSON value in `data-value` and its place in the document in
 /// `data-path`.
 [[nodiscard]] std::string to_html(const RunResult& result);
+
+/// What a profile reports, for a picture: per feature the probability that it is reported in each cell.
+struct ProfilePicture {
+  std::string name, title;
+  std::vector<std::pair<std::string, std::vector<double>>> features;
+};
+/// One row per profile, one plot per feature. Same value, same bytes.
+[[nodiscard]] std::string to_svg(const std::vector<ProfilePicture>& profiles);
 
 /// The policies as an SVG document: one panel for each profile and level of noise, misses over needless
 /// reactions, with the front. Same value, same bytes.
