@@ -14,21 +14,21 @@ Edge cofactor(Kernel& kernel, Edge f, Edge cube) {
   if (cube == true_edge || f <= 1) return f;
   const Edge flip = f & 1U;
   f ^= flip;
+  if (kernel.level(cube) == top) {
+    const Edge if_high = kernel.high(cube);
+    return (if_high == false_edge ? cofactor(kernel, kernel.low(f), kernel.low(cube))
+                                  : cofactor(kernel, kernel.high(f), if_high)) ^
+           flip;
+  }
   Edge result = 0;
   if (kernel.cache.find(Binary::Cofactor, f, cube, result)) return result ^ flip;
   kernel.step();
   const Node here = kernel.node(f);
-  if (kernel.level(cube) == top) {
-    const Edge if_high = kernel.high(cube);
-    result = if_high == false_edge ? cofactor(kernel, here.low, kernel.low(cube))
-                                   : cofactor(kernel, here.high, if_high);
-  } else {
-    const Edge low = cofactor(kernel, here.low, cube);
-    kernel.push(low);
-    const Edge high = cofactor(kernel, here.high, cube);
-    kernel.pop();
-    result = kernel.make(here.variable, low, high);
-  }
+  const Edge low = cofactor(kernel, here.low, cube);
+  kernel.push(low);
+  const Edge high = cofactor(kernel, here.high, cube);
+  kernel.pop();
+  result = kernel.make(here.variable, low, high);
   kernel.cache.store(Binary::Cofactor, f, cube, result);
   return result ^ flip;
 }

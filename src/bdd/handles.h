@@ -31,11 +31,24 @@ class Handles {
   }
   [[nodiscard]] std::size_t open_slots() const { return open_; }
 
+  /// Edges that are roots without a handle each: \p words of \p length many, whose first letter is none.
+  struct Vectors {
+    const std::vector<Edge>* words;
+    std::size_t length;
+  };
+  void attach(const Vectors& vectors) { attached_.push_back(vectors); }
+  void detach(const std::vector<Edge>* words) {
+    std::erase_if(attached_, [&](const Vectors& vectors) { return vectors.words == words; });
+  }
+
   template <typename Visitor>
   void for_each(Visitor&& visit) const {
     for (const Slot& slot : slots_) {
       if (slot.count != 0) visit(slot.edge);
     }
+    for (const auto& [words, length] : attached_)
+      for (std::size_t word = 0; word < words->size(); word += length)
+        for (std::size_t i = 1; i < length; ++i) visit((*words)[word + i]);
   }
 
  private:
@@ -45,6 +58,7 @@ class Handles {
   };
   static constexpr std::uint32_t none = UINT32_MAX;
   std::vector<Slot> slots_;
+  std::vector<Vectors> attached_;
   std::uint32_t free_ = none;
   std::size_t open_ = 0;
 };

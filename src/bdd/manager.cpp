@@ -70,8 +70,9 @@ Bdd Manager::cube(std::span<const Literal> literals) {
   return kernel_->run([&] {
     std::vector<Literal> sorted(literals.begin(), literals.end());
     const auto depth = [&](const Literal& literal) { return kernel_->level_of(literal.variable + 1); };
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [&](const Literal& a, const Literal& b) { return depth(a) > depth(b); });
+    const auto deeper = [&](const Literal& a, const Literal& b) { return depth(a) > depth(b); };
+    if (!std::is_sorted(sorted.begin(), sorted.end(), deeper))
+      std::stable_sort(sorted.begin(), sorted.end(), deeper);
     Edge result = true_edge;
     for (std::size_t i = 0; i < sorted.size(); ++i) {
       assert(sorted[i].variable < variable_count());

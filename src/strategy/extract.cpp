@@ -1,6 +1,5 @@
 #include "extract.h"
 
-#include "cofactors.h"
 #include "latch.h"
 #include "states.h"
 #include "symbolic.h"
@@ -9,10 +8,10 @@
 #include <heed/spec/gr1.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <optional>
 #include <span>
-#include <unordered_map>
 
 namespace heed::strategy {
 namespace {
@@ -68,11 +67,14 @@ class Extractor {
         input_places_(places(game, Owner::Input)),
         output_places_(places(game, Owner::Output)),
         memory_places_(places(game, Owner::Memory)),
-        input_order_(by_level()),
+        input_order_(by_level(game.bits(Owner::Input, true))),
         updates_(game.updates.size()),
         columns_at_(1 + updates_ + 3 * goals_),
         state_(*game.manager, ordered_inputs(true), Updates + updates_),
         future_(*game.manager, ordered_inputs(false), columns_at_ + game.definitions.size() + goals_),
+        bits_(output_places_.size() + memory_places_.size()),
+        columns_(game.definitions.size() + goals_),
+        choices_(output_places_.size()),
         builder_(game.spec->name, game.spec->inputs, spec::controller_outputs(*game.spec)),
         latch_(game.spec->inputs, options.on_violation == OnViolation::Latch),
         letter_(lowest(game, Owner::Input)) {
@@ -83,7 +85,7 @@ class Extractor {
     StateKey start{initial_future(), 0, 0};
     states_.number(start);
     builder_.add_state();
-    for (std::size_t i = 0; i < states_.size(); ++i) expand(static_cast<std::uint32_t>(i));
+    for (std::uint32_t i = 0; i < states_.size(); ++i) expand(i);
     add_assumptions();
     if (relies_)
       builder_.add_note(
@@ -93,9 +95,8 @@ class Extractor {
   }
 
  private:
-  /// Input bits from the top of the diagrams down, so that a step of the walk touches few nodes.
-  [[nodiscard]] std::vector<std::size_t> by_level() const {
-    const std::vector<Var> bits = game_.bits(Owner::Input, true);
+  /// Places in \p bits from the top of the diagrams down. In this order a step of the walk touches few nodes.
+  [[nodiscard]] std::vector<std::size_t> by_level(const std::vector<Var>& bits) const {
     std::vector<std::size_t> order(bits.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -129,12 +130,23 @@ class Extractor {
     memory_bits_ = game_.bits(Owner::Memory, true);
     for (const Owner owner : {Owner::Output, Owner::Memory})
       for (const Var variable : game_.bits(owner, false)) answer_bits_.push_back(variable);
+    answer_order_ = by_level(answer_bits_);
+    std::reverse(answer_order_.begin(), answer_order_.end());
+    cube_.push_back(game_.manager->constant(true));
+    place_of_output_.assign(game_.manager->variable_count(), output_bits_.size());
+    for (std::size_t i = 0; i < output_bits_.size(); ++i) place_of_output_[output_bits_[i]] = i;
+    for (std::uint32_t goal = 0; goal < goals_; ++goal) {
+      places_of_.push_back({0});
+      for (const std::uint32_t i : {0U, 1U, 2U})
+        places_of_.back().push_back(static_cast<std::uint32_t>(1 + updates_) + 3 * goal + i);
+      for (std::uint32_t i = 1; i <= updates_; ++i) places_of_.back().push_back(i);
+    }
     assignment_.resize(game_.manager->variable_count());
     valid_inputs_ = game_.valid.exists(game_.outputs & game_.memories).next();
   }
 
   /// The first step as if it came from a state before it: inputs and answers are those of theta.
-  Cofactors::Id initial_future() {
+  CofactorTable::Id initial_future() {
     Bdd legal = game_.initial_inputs();
     Bdd answers = game_.initial_answer() & region_.winning;
     const Bdd chosen = game_.outputs & game_.memories;
@@ -159,7 +171,7 @@ class Extractor {
     first_step_ = state == 0;
     latch_.clear();
     if (moore_ && !first_step_) {
-      const Bdd& moves = state_.functions(key_.future)[Moves];
+      const Bdd moves = state_.function(key_.future, Moves);
       choice_ = moves.is_false() ? std::vector<bool>(output_bits_.size()) : moves.pick(output_bits_);
       choice_number_ = choices_.number(choice_);
     }
@@ -185,8 +197,8 @@ class Extractor {
     });
   }
 
-  void walk(std::size_t depth, Letters::Id path, Cofactors::Id state) {
-    if (state_.functions(state)[Legal].is_false()) return;
+  void walk(std::size_t depth, Letters::Id path, CofactorTable::Id state) {
+    if (state_.is_false(state, Legal)) return;
     if (depth == input_order_.size()) {
       step(letters_->leaf(path, letter_, builder_), state);
       return;
@@ -199,11 +211,11 @@ class Extractor {
     }
   }
 
-  void step(const Letters::Leaf& letter, Cofactors::Id left) {
+  void step(const Letters::Leaf& letter, CofactorTable::Id left) {
     const Situation at{left, letter.future, static_cast<std::uint32_t>(key_.goal), choice_number_};
-    const auto [known, fresh] = reactions_.try_emplace(at);
-    if (fresh) known->second = react(at);
-    Reaction& reaction = known->second;
+    const auto [number, fresh] = situations_.number(at.word());
+    if (fresh) reactions_.push_back(react(at));
+    Reaction& reaction = reactions_[number];
     relies_ = relies_ || reaction.waits;
     count_row();
     const bool latching = options_.on_violation == OnViolation::Latch;
@@ -214,93 +226,81 @@ class Extractor {
 
   [[nodiscard]] Reaction react(const Situation& at) {
     const Answer answer = answer_to(at);
-    const Step reached = follow(at, answer);
-    const auto [letter, added] =
-        output_letters_.try_emplace((std::uint64_t{answer.bits} << 32) | reached.columns, 0U);
-    if (added) letter->second = builder_.output_letter(output_of(answer.bits, columns_[reached.columns]));
-    return {letter->second, reached.future, reached.goal, answer.waits, Reaction::unknown};
-  }
-
-  /// Where an answer leads.
-  struct Step {
-    Cofactors::Id future;
-    std::uint32_t columns, goal;
-  };
-
-  [[nodiscard]] std::uint32_t columns_of(Cofactors::Id future, std::uint32_t bits) {
-    const auto [known, fresh] = columns_of_.try_emplace((std::uint64_t{future} << 32) | bits, 0U);
-    if (fresh) known->second = evaluate_columns(future, bits);
-    return known->second;
-  }
-
-  [[nodiscard]] End end_of(const Situation& at, const Answer& answer) {
-    const std::vector<bool>& shown = columns_[columns_of(at.future, answer.bits)];
-    const std::size_t goal = next_goal(answer.met ? (at.goal + 1) % goals_ : at.goal, shown);
-    return {at.future, answer.bits, static_cast<std::uint32_t>(goal)};
-  }
-
-  [[nodiscard]] Step follow(const Situation& at, const Answer& answer) {
+    const std::uint32_t columns = columns_of(at.future, answer.bits);
     const End end = end_of(at, answer);
-    return {future_of(end), columns_of(at.future, answer.bits), end.goal};
+    const auto [number, added] = output_letters_.number(std::array{answer.bits, columns});
+    if (added) builders_letters_.push_back(builder_.output_letter(output_of(answer.bits, columns)));
+    return {builders_letters_[number], future_of(end), end.goal, answer.waits, Reaction::unknown};
   }
 
-  [[nodiscard]] std::uint32_t evaluate_columns(Cofactors::Id future, std::uint32_t bits) {
-    const std::vector<bool>& values = bits_[bits];
-    for (std::size_t i = 0; i < values.size(); ++i) assignment_[answer_bits_[i]] = values[i];
-    const std::span<const Bdd> columns = future_.functions(future).subspan(columns_at_);
-    std::vector<bool> shown(columns.size());
-    for (std::size_t i = 0; i < shown.size(); ++i) shown[i] = columns[i].evaluate(assignment_);
-    return columns_.number(std::move(shown));
+  /// Where an answer leads, but for what is left of the rules there.
+  [[nodiscard]] End end_of(const Situation& at, const Answer& answer) {
+    const std::uint32_t columns = columns_of(at.future, answer.bits);
+    const std::size_t goal = answer.met ? (at.goal + 1) % goals_ : at.goal;
+    return {at.future, answer.bits, goals_after_[columns * goals_ + goal]};
+  }
+
+  /// The definitions and goals that hold after a future's inputs and an answer.
+  [[nodiscard]] std::uint32_t columns_of(CofactorTable::Id future, std::uint32_t bits) {
+    const auto [number, added] = shown_.number(std::array{future, bits});
+    if (added) shown_columns_.push_back(evaluate_columns(future, bits));
+    return shown_columns_[number];
+  }
+
+  [[nodiscard]] std::uint32_t evaluate_columns(CofactorTable::Id future, std::uint32_t bits) {
+    for (std::size_t i = 0; i < answer_bits_.size(); ++i) assignment_[answer_bits_[i]] = bits_.bit(bits, i);
+    std::vector<bool> shown(columns_.bits());
+    for (std::size_t i = 0; i < shown.size(); ++i)
+      shown[i] = future_.evaluate(future, columns_at_ + i, assignment_);
+    const std::uint32_t columns = columns_.number(shown);
+    if (goals_after_.size() < columns_.size() * goals_)
+      for (std::size_t goal = 0; goal < goals_; ++goal) goals_after_.push_back(next_goal(goal, shown));
+    return columns;
   }
 
   /// What is left of the rules of one goal after a step: the key of the state that the step leads to.
-  Cofactors::Id future_of(const End& end) {
-    const std::size_t goal = end.goal;
-    const auto [known, fresh] = keys_.try_emplace(end, Cofactors::none);
-    if (!fresh) return known->second;
-    const std::span<const Bdd> all = future_.functions(end.future);
-    const Bdd& cube = cube_of(end.bits);
-    std::vector<Bdd> left;
-    left.reserve(Updates + updates_);
-    const auto put_in = [&](std::span<const Bdd> functions) {
-      for (const Bdd& function : functions)
-        left.push_back(function.is_constant() ? function : function.cofactor(cube));
-    };
-    put_in(all.first(1));
-    put_in(all.subspan(1 + updates_ + 3 * goal, 3));
-    put_in(all.subspan(1, updates_));
-    return known->second = state_.root(left);
+  CofactorTable::Id future_of(const End& end) {
+    const auto [number, added] = ends_.number(end.word());
+    if (added) futures_.push_back(state_.root(future_, end.future, places_of_[end.goal], cube_of(end.bits)));
+    return futures_[number];
   }
 
+  /// As a conjunction of literals, put together from the bottom up. Answers that are met one after the other
+  /// often differ near the top alone.
   [[nodiscard]] const Bdd& cube_of(std::uint32_t bits) {
-    for (std::size_t i = cubes_.size(); i < bits_.size(); ++i) {
-      std::vector<bdd::Literal> literals;
-      for (std::size_t k = 0; k < answer_bits_.size(); ++k)
-        literals.push_back({answer_bits_[k], bits_[static_cast<std::uint32_t>(i)][k]});
-      cubes_.push_back(game_.manager->cube(literals));
+    std::size_t from = cube_.size() - 1;
+    for (std::size_t i = 0; i < from; ++i)
+      if (bits_.bit(bits, answer_order_[i]) != bits_.bit(cube_bits_, answer_order_[i])) from = i;
+    for (std::size_t i = from; i < answer_order_.size(); ++i) {
+      const std::size_t k = answer_order_[i];
+      const Bdd literal = game_.manager->literal(answer_bits_[k], bits_.bit(bits, k));
+      if (cube_.size() == i + 1) cube_.emplace_back();
+      cube_[i + 1] = literal & cube_[i];
     }
-    return cubes_[bits];
+    cube_bits_ = bits;
+    return cube_.back();
   }
 
-  [[nodiscard]] model::Valuation output_of(std::uint32_t bits, const std::vector<bool>& shown) const {
-    model::Valuation output = values_of(bits_[bits]);
-    for (std::size_t i = 0; i < game_.definitions.size(); ++i) output.push_back(shown[i] ? 1 : 0);
+  [[nodiscard]] model::Valuation output_of(std::uint32_t bits, std::uint32_t columns) const {
+    model::Valuation output = values_of(bits);
+    for (std::size_t i = 0; i < game_.definitions.size(); ++i)
+      output.push_back(columns_.bit(columns, i) ? 1 : 0);
     return output;
   }
 
   /// Goals that the new state meets are done; one that all states meet is as good as any.
-  [[nodiscard]] std::size_t next_goal(std::size_t goal, const std::vector<bool>& shown) const {
+  [[nodiscard]] std::uint32_t next_goal(std::size_t goal, const std::vector<bool>& shown) const {
     for (std::size_t i = 0; i < goals_; ++i) {
       const std::size_t candidate = (goal + i) % goals_;
-      if (!shown[game_.definitions.size() + candidate]) return candidate;
+      if (!shown[game_.definitions.size() + candidate]) return static_cast<std::uint32_t>(candidate);
     }
-    return goal;
+    return static_cast<std::uint32_t>(goal);
   }
 
   [[nodiscard]] std::uint32_t next_state(const Reaction& reaction) {
     StateKey key{reaction.future, reaction.goal, 0};
     if (options_.on_violation == OnViolation::Latch &&
-        !valid_inputs_.entails(state_.functions(key.future)[Legal]))
+        !valid_inputs_.entails(state_.function(key.future, Legal)))
       key.observation = latch_.number(letter_);
     const auto [next, added] = states_.number(key);
     if (added) {
@@ -323,70 +323,92 @@ class Extractor {
   [[nodiscard]] Answer answer_to(const Situation& at) {
     if (first_step_) return first_answer(at.left);
     if (moore_) return later_answer(at.left, choice_);
-    std::vector<Answer>& known = answers_[at.left];
-    if (known.empty()) list_answers(at.left, known);
+    if (answers_.size() <= at.left) answers_.resize(at.left + 1);
+    if (answers_[at.left].count == 0) answers_[at.left] = list_answers(at.left);
+    const std::span<const Answer> known{&answer_list_[answers_[at.left].first], answers_[at.left].count};
     return known[known.size() == 1 ? 0 : best_of(at, known)];
   }
 
   /// Steps that were followed before are asked first: most often one of them does.
-  [[nodiscard]] std::uint32_t best_of(const Situation& at, const std::vector<Answer>& answers) {
-    std::uint32_t best = 0, least = UINT32_MAX;
-    for (const bool known : {true, false}) {
-      for (std::uint32_t i = 0; i < answers.size(); ++i) {
-        if (known && !keys_.contains(end_of(at, answers[i]))) continue;
-        const Step reached = follow(at, answers[i]);
-        const auto state = states_.find({reached.future, reached.goal, 0});
-        if (!state || *state >= least) continue;
-        best = i;
-        least = *state;
-      }
-      if (least != UINT32_MAX) break;
+  [[nodiscard]] std::uint32_t best_of(const Situation& at, std::span<const Answer> answers) {
+    std::uint32_t best = 0, least = States::none;
+    const auto compare = [&](std::uint32_t i, const StateKey& key) {
+      const std::uint32_t state = states_.find(key);
+      if (state < least) best = i, least = state;
+    };
+    for (std::uint32_t i = 0; i < answers.size(); ++i) {
+      const End end = end_of(at, answers[i]);
+      const std::uint32_t known = ends_.find(end.word());
+      if (known != util::WordTable::none) compare(i, {futures_[known], end.goal, 0});
+    }
+    for (std::uint32_t i = 0; least == States::none && i < answers.size(); ++i) {
+      const End end = end_of(at, answers[i]);
+      compare(i, {future_of(end), end.goal, 0});
     }
     return best;
   }
 
   /// In ascending order. Where a state may also depend on the observation, the first alone.
-  void list_answers(Cofactors::Id state, std::vector<Answer>& answers) {
+  [[nodiscard]] Answers list_answers(CofactorTable::Id state) {
     const std::size_t most = options_.on_violation == OnViolation::Latch ? 1 : most_answers;
-    const std::span<const Bdd> left = state_.functions(state);
+    const auto first = static_cast<std::uint32_t>(answer_list_.size());
+    if (state_.literals(state, Moves, literals_) && fills_outputs(literals_)) {
+      answer_list_.push_back(later_answer(state, sole_));
+      return {first, 1};
+    }
     std::vector<bdd::Literal> memories;
     for (std::size_t i = 0; i < memory_bits_.size(); ++i)
-      memories.push_back({memory_bits_[i], left[Updates + i].is_true()});
-    bdd::Assignments moves(left[Moves].cofactor(game_.manager->cube(memories)), output_bits_);
-    while (answers.size() < most && moves.next())
-      answers.push_back(later_answer(state, {moves.values().begin(), moves.values().end()}));
-    assert(!answers.empty());
+      memories.push_back({memory_bits_[i], state_.is_true(state, Updates + i)});
+    bdd::Assignments moves(state_.function(state, Moves).cofactor(game_.manager->cube(memories)),
+                           output_bits_);
+    while (answer_list_.size() < first + most && moves.next())
+      answer_list_.push_back(later_answer(state, {moves.values().begin(), moves.values().end()}));
+    assert(answer_list_.size() > first);
+    return {first, static_cast<std::uint32_t>(answer_list_.size() - first)};
+  }
+
+  /// Whether \p literals leave no choice of outputs; that answer is then sole_.
+  [[nodiscard]] bool fills_outputs(const std::vector<bdd::Literal>& literals) {
+    std::size_t filled = 0;
+    sole_.resize(output_bits_.size());
+    for (const auto& [variable, value] : literals) {
+      const std::size_t place = place_of_output_[variable];
+      if (place == output_bits_.size()) continue;
+      sole_[place] = value;
+      ++filled;
+    }
+    return filled == output_bits_.size();
   }
 
   /// Initial memories are chosen along, before the outputs.
-  [[nodiscard]] Answer first_answer(Cofactors::Id state) {
+  [[nodiscard]] Answer first_answer(CofactorTable::Id state) {
     std::vector<Var> bits = memory_bits_;
     bits.insert(bits.end(), output_bits_.begin(), output_bits_.end());
-    std::vector<bool> picked = state_.functions(state)[Moves].pick(bits);
+    std::vector<bool> picked = state_.function(state, Moves).pick(bits);
     std::rotate(picked.begin(), picked.begin() + static_cast<std::ptrdiff_t>(memory_bits_.size()),
                 picked.end());
-    return {bits_.number(std::move(picked)), false, false};
+    return {bits_.number(picked), false, false};
   }
 
-  [[nodiscard]] Answer later_answer(Cofactors::Id state, std::vector<bool> bits) {
-    const std::span<const Bdd> left = state_.functions(state);
+  [[nodiscard]] Answer later_answer(CofactorTable::Id state, std::vector<bool> bits) {
     for (std::size_t i = 0; i < output_bits_.size(); ++i) assignment_[output_bits_[i]] = bits[i];
     for (std::size_t i = 0; i < memory_bits_.size(); ++i) {
-      bits.push_back(left[Updates + i].is_true());
+      bits.push_back(state_.is_true(state, Updates + i));
       assignment_[memory_bits_[i]] = bits.back();
     }
-    const bool waits = left[Waits].evaluate(assignment_), met = left[Met].evaluate(assignment_);
-    return {bits_.number(std::move(bits)), waits, met};
+    const bool waits = state_.evaluate(state, Waits, assignment_),
+               met = state_.evaluate(state, Met, assignment_);
+    return {bits_.number(bits), waits, met};
   }
 
   /// \param bits  Outputs, then memories.
-  [[nodiscard]] model::Valuation values_of(const std::vector<bool>& bits) const {
+  [[nodiscard]] model::Valuation values_of(std::uint32_t bits) const {
     model::Valuation values = lowest(game_, Owner::Output);
     const std::size_t outputs = values.size();
     const model::Valuation memories = lowest(game_, Owner::Memory);
     values.insert(values.end(), memories.begin(), memories.end());
-    for (std::size_t i = 0; i < bits.size(); ++i) {
-      if (!bits[i]) continue;
+    for (std::size_t i = 0; i < bits_.bits(); ++i) {
+      if (!bits_.bit(bits, i)) continue;
       const bool output = i < output_places_.size();
       const Place& place = output ? output_places_[i] : memory_places_[i - output_places_.size()];
       values[place.variable + (output ? 0 : outputs)] += place.weight;
@@ -408,22 +430,34 @@ class Extractor {
   std::vector<std::size_t> input_order_;
   std::size_t updates_;
   std::size_t columns_at_;  ///< In the vectors of future_.
-  Cofactors state_;         ///< Over X': the future of one state.
-  Cofactors future_;        ///< Over X: the futures of all goals, then definitions and goals without Next.
+  CofactorTable state_;     ///< Over X': the future of one state.
+  CofactorTable future_;    ///< Over X: the futures of all goals, then definitions and goals without Next.
+  /// By goal: where in a vector of future_ the functions of a state stand.
+  std::vector<std::vector<std::uint32_t>> places_of_;
   std::optional<Letters> letters_;
   std::vector<Var> output_bits_, memory_bits_;  ///< Next.
   std::vector<Var> answer_bits_;                ///< Current: outputs, then memories.
+  std::vector<std::size_t> answer_order_;       ///< Places in answer_bits_, from the bottom up.
+  std::vector<Bdd> cube_;                       ///< By length, of the answer that was last asked for:
+  std::uint32_t cube_bits_ = 0;
+  std::vector<std::size_t> place_of_output_;  ///< By variable: in output_bits_, or its size.
+  std::vector<bdd::Literal> literals_;        ///< Of the diagram that is looked at.
+  std::vector<bool> sole_;                    ///< The outputs of an answer without choice.
   Bdd valid_inputs_;
-  std::vector<bool> assignment_;    ///< By variable, for evaluation.
-  Words bits_, columns_, choices_;  ///< Of answers; of definitions and goals; of Moore's outputs.
-  std::vector<Bdd> cubes_;          ///< By the number of an answer's bits.
-  std::unordered_map<std::uint64_t, std::uint32_t> columns_of_;  ///< After a future's inputs and an answer.
-  std::unordered_map<End, Cofactors::Id, EndHash> keys_;
-  std::unordered_map<Cofactors::Id, std::vector<Answer>> answers_;
-  std::unordered_map<Situation, Reaction, SituationHash> reactions_;
+  std::vector<bool> assignment_;       ///< By variable, for evaluation.
+  BitWords bits_, columns_, choices_;  ///< Of answers; of definitions and goals; of Moore's outputs.
+  util::WordTable shown_{2};           ///< A future's inputs and an answer, and by number:
+  std::vector<std::uint32_t> shown_columns_;
+  std::vector<std::uint32_t> goals_after_;  ///< By columns and goal.
+  util::WordTable ends_{3};                 ///< Ends, and by number:
+  std::vector<CofactorTable::Id> futures_;
+  std::vector<Answers> answers_;  ///< By what is left of a state.
+  std::vector<Answer> answer_list_;
+  util::WordTable situations_{4};  ///< Situations, and by number:
+  std::vector<Reaction> reactions_;
   States states_;
-  /// The builder's number for an answer and the columns that go with it.
-  std::unordered_map<std::uint64_t, std::uint32_t> output_letters_;
+  util::WordTable output_letters_{2};  ///< An answer and the columns that go with it, and by number:
+  std::vector<std::uint32_t> builders_letters_;
   model::MealyBuilder builder_;
   LatchRows latch_;
   std::uint64_t rows_ = 0;

@@ -1,37 +1,33 @@
 #pragma once
 
-#include "cofactors.h"
-
+#include <heed/bdd/cofactor_table.h>
 #include <heed/model/mealy.h>
-#include <heed/util/hash.h>
+#include <heed/util/word_table.h>
 
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <unordered_map>
+#include <span>
 #include <vector>
 
 namespace heed::strategy {
 
+using bdd::CofactorTable;
+
 /// All that a reaction depends on, but for the states that are there.
 struct Situation {
-  Cofactors::Id left;    ///< Of the state, once the observation is put in.
-  Cofactors::Id future;  ///< Of the step to come, once the observation is put in.
+  CofactorTable::Id left;    ///< Of the state, once the observation is put in.
+  CofactorTable::Id future;  ///< Of the step to come, once the observation is put in.
   std::uint32_t goal;
   std::uint32_t choice;  ///< What was chosen before the observation came, by number.
-  bool operator==(const Situation&) const = default;
-};
 
-struct SituationHash {
-  std::size_t operator()(const Situation& at) const {
-    return util::mix((std::uint64_t{at.left} << 32) | at.future, (std::uint64_t{at.goal} << 32) | at.choice);
-  }
+  [[nodiscard]] std::array<std::uint32_t, 4> word() const { return {left, future, goal, choice}; }
 };
 
 /// What follows from a situation.
 struct Reaction {
-  std::uint32_t output = 0;  ///< The builder's number of the letter.
-  Cofactors::Id future = 0;  ///< The next state's, with its goal.
+  std::uint32_t output = 0;      ///< The builder's number of the letter.
+  CofactorTable::Id future = 0;  ///< The next state's, with its goal.
   std::uint32_t goal = 0;
   bool waits = false;
   std::uint32_t next = unknown;  ///< The state, where no observation belongs to it.
@@ -47,35 +43,42 @@ struct Answer {
   bool met = false;
 };
 
-/// A step by its inputs and the answer, and the goal that is next.
-struct End {
-  Cofactors::Id future;  ///< Of all goals, the inputs put in.
-  std::uint32_t bits;
-  std::uint32_t goal;
-  bool operator==(const End&) const = default;
+/// A part of a list of answers.
+struct Answers {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;  ///< 0: not listed yet.
 };
 
-struct EndHash {
-  std::size_t operator()(const End& end) const {
-    return util::mix((std::uint64_t{end.future} << 32) | end.bits, end.goal);
-  }
+/// A step by its inputs and the answer, and the goal that is next.
+struct End {
+  CofactorTable::Id future;  ///< Of all goals, the inputs put in.
+  std::uint32_t bits;
+  std::uint32_t goal;
+
+  [[nodiscard]] std::array<std::uint32_t, 3> word() const { return {future, bits, goal}; }
 };
 
 /// Words of bits, numbered in the order of their discovery.
-class Words {
+class BitWords {
  public:
-  std::uint32_t number(std::vector<bool> word) {
-    const auto [found, added] =
-        numbers_.try_emplace(std::move(word), static_cast<std::uint32_t>(words_.size()));
-    if (added) words_.push_back(&found->first);
-    return found->second;
+  explicit BitWords(std::size_t bits) : bits_(bits), packed_((bits + 31) / 32), words_(packed_.size()) {}
+
+  std::uint32_t number(const std::vector<bool>& word) {
+    packed_.assign(packed_.size(), 0);
+    for (std::size_t i = 0; i < bits_; ++i)
+      if (word[i]) packed_[i / 32] |= 1U << (i % 32);
+    return words_.number(std::span<const std::uint32_t>(packed_)).first;
   }
-  [[nodiscard]] const std::vector<bool>& operator[](std::uint32_t number) const { return *words_[number]; }
+  [[nodiscard]] bool bit(std::uint32_t number, std::size_t i) const {
+    return (words_[number][i / 32] >> (i % 32) & 1U) != 0;
+  }
+  [[nodiscard]] std::size_t bits() const { return bits_; }
   [[nodiscard]] std::size_t size() const { return words_.size(); }
 
  private:
-  std::unordered_map<std::vector<bool>, std::uint32_t> numbers_;
-  std::vector<const std::vector<bool>*> words_;
+  std::size_t bits_;
+  std::vector<std::uint32_t> packed_;
+  util::WordTable words_;
 };
 
 /// The input letters by the path of the walk that leads to them: each state lists the same letters, and a
@@ -86,12 +89,13 @@ class Letters {
   static constexpr Id root = 0;
 
   struct Leaf {
-    std::uint32_t number;  ///< The builder's.
-    Cofactors::Id future;  ///< What is left of all goals' rules.
+    std::uint32_t number;      ///< The builder's.
+    CofactorTable::Id future;  ///< What is left of all goals' rules.
   };
 
   /// \param start  What is left of all goals' rules before any input bit has its value.
-  Letters(Cofactors& futures, Cofactors::Id start) : futures_(futures), nodes_{Node{{0, 0}, start, {}}} {}
+  Letters(CofactorTable& futures, CofactorTable::Id start)
+      : futures_(futures), nodes_{Node{{0, 0}, start, {}}} {}
 
   [[nodiscard]] Id step(Id path, bool value) {
     const Id known = nodes_[path].next[value ? 1 : 0];
@@ -110,10 +114,10 @@ class Letters {
  private:
   struct Node {
     std::array<Id, 2> next;
-    Cofactors::Id future;
+    CofactorTable::Id future;
     std::optional<std::uint32_t> letter;
   };
-  Cofactors& futures_;
+  CofactorTable& futures_;
   std::vector<Node> nodes_;
 };
 

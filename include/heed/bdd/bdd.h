@@ -159,6 +159,7 @@ class Bdd {
  private:
   friend class Manager;
   friend class Kernel;
+  friend class CofactorTable;
   Bdd(Kernel* kernel, std::uint32_t edge);
 
   Kernel* kernel_ = nullptr;
@@ -266,6 +267,7 @@ class Manager {
  private:
   friend class Bdd;
   friend class Assignments;
+  friend class CofactorTable;
   std::unique_ptr<Kernel> kernel_;
 };
 
