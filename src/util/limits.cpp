@@ -3,9 +3,15 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace heed::util {
+namespace {
+/// What may be added without asking the system, which takes some microseconds: far below how exactly a limit
+/// is kept.
+constexpr std::size_t too_little_to_ask = std::size_t{1} << 20;
+}  // namespace
 
 Budget::Budget(const Limits& limits) : limits_(limits), start_(std::chrono::steady_clock::now()) {}
 
@@ -25,6 +31,9 @@ void Budget::check() {
 
 void Budget::reserve(std::size_t bytes) {
   if (limits_.memory_bytes == 0) return;
+  asked_for_ += bytes;
+  if (bytes != 0 && asked_for_ < std::min(too_little_to_ask, limits_.memory_bytes / 64)) return;
+  asked_for_ = 0;
   if (resident_bytes() + bytes > limits_.memory_bytes)
     throw LimitExceeded(LimitExceeded::Kind::Memory,
                         "memory limit reached (" + std::to_string(limits_.memory_bytes >> 20) + " MiB)");

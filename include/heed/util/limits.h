@@ -39,7 +39,8 @@ class Budget {
 
   /// Cheap; meant for every few hundred steps of a loop. \throws LimitExceeded
   void check();
-  /// Ask before growing a table by \p bytes. \throws LimitExceeded  when resident size plus \p bytes is over.
+  /// Ask before growing a table by \p bytes. \throws LimitExceeded  when resident size plus \p bytes is over,
+  /// to 1 MiB.
   void reserve(std::size_t bytes);
   /// From any thread or signal handler.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
@@ -51,6 +52,7 @@ class Budget {
   std::chrono::steady_clock::time_point start_;
   std::atomic<bool> cancelled_{false};
   std::uint64_t calls_ = 0;
+  std::size_t asked_for_ = 0;  ///< Bytes since the system was last asked how many there are.
 };
 
 /// Resident size of this process now, in bytes; 0 where the system does not tell.
