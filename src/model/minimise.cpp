@@ -1,13 +1,15 @@
 // Partition refinement on the reachable part. States start together when their rows agree in input letters,
 // output letters and fallback marks; a block is split while its states lead to different blocks. Signatures
-// are re-hashed per round (Moore's scheme): O(rows) a round and few rounds on controllers, where Hopcroft's
-// worklist would need the reversed rows in memory.
+// are hashed anew in each round (Moore's scheme) for states that are not alone in their block: O(rows) a
+// round, few rounds and few such states on controllers, where Hopcroft's worklist would need the reversed
+// rows in memory.
 
 #include <heed/model/mealy.h>
 #include <heed/util/hash.h>
 
 #include <algorithm>
-#include <numeric>
+#include <bit>
+#include <span>
 
 namespace heed::model {
 namespace {
@@ -31,56 +33,80 @@ std::vector<std::uint32_t> reachable_order(const Mealy& machine) {
   return order;
 }
 
-std::uint64_t signature(const Mealy& machine, std::uint32_t state, const Blocks& block) {
-  std::uint64_t h = block[state];
-  for (std::uint32_t t = machine.first[state]; t < machine.first[state + 1]; ++t) {
-    const Mealy::Transition& row = machine.transitions[t];
-    h = util::mix(
-        h, (std::uint64_t{row.input} << 33) | (std::uint64_t{row.output} << 1) | (row.fallback ? 1U : 0U));
-    h = util::mix(h, block[row.next]);
-  }
-  return h;
-}
+/// What the states of a block have in common at first: their rows but for where these lead.
+struct Letters {
+  const Mealy& machine;
 
-/// Equal answers and equal successor blocks; decides where hashes agree.
-bool same_rows(const Mealy& machine, std::uint32_t a, std::uint32_t b, const Blocks& block) {
-  const std::uint32_t count = machine.first[a + 1] - machine.first[a];
-  if (block[a] != block[b] || count != machine.first[b + 1] - machine.first[b]) return false;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Mealy::Transition& x = machine.transitions[machine.first[a] + i];
-    const Mealy::Transition& y = machine.transitions[machine.first[b] + i];
-    if (x.input != y.input || x.output != y.output || x.fallback != y.fallback ||
-        block[x.next] != block[y.next])
-      return false;
+  [[nodiscard]] std::uint64_t operator()(const Mealy::Transition& row) const {
+    return (std::uint64_t{row.input} << 33) | (std::uint64_t{row.output} << 1) | (row.fallback ? 1U : 0U);
   }
-  return true;
-}
+};
 
-/// One round: states with the same rows get the same new block, numbered in order of \p order. \returns
-/// number of blocks
-std::uint32_t refine(const Mealy& machine, const std::vector<std::uint32_t>& order, Blocks& block) {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed;  // (signature, position in order)
-  keyed.reserve(order.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) keyed.emplace_back(signature(machine, order[i], block), i);
-  std::sort(keyed.begin(), keyed.end());
-  std::vector<std::uint32_t> leader(order.size());
-  for (std::size_t begin = 0; begin < keyed.size();) {
-    std::size_t end = begin;
-    std::vector<std::uint32_t> leaders;  // more than one only when hashes collide
-    for (; end < keyed.size() && keyed[end].first == keyed[begin].first; ++end) {
-      const std::uint32_t position = keyed[end].second;
-      const auto same = std::find_if(leaders.begin(), leaders.end(), [&](std::uint32_t l) {
-        return same_rows(machine, order[l], order[position], block);
-      });
-      leader[position] = same == leaders.end() ? position : *same;
-      if (leader[position] == position) leaders.push_back(position);
+/// And then: where the rows lead. Their letters are equal since the first round.
+struct Successors {
+  const Mealy& machine;
+  const Blocks& block;
+
+  [[nodiscard]] std::uint64_t operator()(const Mealy::Transition& row) const { return block[row.next]; }
+};
+
+/// States of one block by what \p Feature says of each of their rows, row by row.
+template <typename Feature>
+class Signatures {
+ public:
+  explicit Signatures(Feature feature, std::size_t states)
+      : feature_(feature), places_(std::bit_ceil(2 * states + 2)) {}
+
+  /// The first state that was asked for with the block and the features of \p state.
+  std::uint32_t leader(std::uint32_t state, const Blocks& block) {
+    std::uint64_t hash = block[state];
+    for (const Mealy::Transition& row : rows(state)) hash = util::mix(hash, feature_(row));
+    for (std::size_t place = hash & (places_.size() - 1);; place = (place + 1) & (places_.size() - 1)) {
+      Place& here = places_[place];
+      if (here.leader == UINT32_MAX) {
+        here = {hash, state};
+        return state;
+      }
+      if (here.hash == hash && block[here.leader] == block[state] && same(here.leader, state))
+        return here.leader;
     }
-    begin = end;
   }
+
+ private:
+  struct Place {
+    std::uint64_t hash = 0;
+    std::uint32_t leader = UINT32_MAX;
+  };
+
+  [[nodiscard]] std::span<const Mealy::Transition> rows(std::uint32_t state) const {
+    const Mealy& machine = feature_.machine;
+    return {machine.transitions.data() + machine.first[state],
+            machine.first[state + 1] - machine.first[state]};
+  }
+  [[nodiscard]] bool same(std::uint32_t a, std::uint32_t b) const {
+    return std::ranges::equal(rows(a), rows(b), {}, feature_, feature_);
+  }
+
+  Feature feature_;
+  std::vector<Place> places_;  ///< Open addressing, at most half full.
+};
+
+/// One round: states with the same features get the same new block, numbered in order of \p order.
+/// \returns number of blocks
+template <typename Feature>
+std::uint32_t refine(const std::vector<std::uint32_t>& order, Blocks& block, std::uint32_t blocks,
+                     Feature feature) {
+  std::vector<std::uint32_t> size(blocks, 0);
+  for (const std::uint32_t state : order) ++size[block[state]];
+  const auto shared = static_cast<std::size_t>(
+      std::ranges::count_if(order, [&](std::uint32_t state) { return size[block[state]] > 1; }));
+  Signatures signatures(feature, shared);
   std::uint32_t count = 0;
   Blocks refined(block.size(), UINT32_MAX);
-  for (std::uint32_t i = 0; i < order.size(); ++i)
-    refined[order[i]] = leader[i] == i ? count++ : refined[order[leader[i]]];
+  for (const std::uint32_t state : order) {
+    const std::uint32_t leader = size[block[state]] == 1 ? state : signatures.leader(state, block);
+    refined[state] = leader == state ? count++ : refined[leader];
+  }
   block = std::move(refined);
   return count;
 }
@@ -156,11 +182,10 @@ Mealy minimise(const Mealy& machine) {
   const std::vector<std::uint32_t> order = reachable_order(machine);
   if (order.empty()) return machine;
   Blocks block(machine.state_count(), 0);
-  std::uint32_t count = 1;
-  for (;;) {
-    const std::uint32_t refined = refine(machine, order, block);
-    if (refined == count) break;
-    count = refined;
+  std::uint32_t count = refine(order, block, 1, Letters{machine});
+  for (std::uint32_t before = 0; before != count;) {
+    before = count;
+    count = refine(order, block, count, Successors{machine, block});
   }
   number_by_visit(machine, order, block, count);
   std::vector<std::uint32_t> by_number(order);
