@@ -85,6 +85,10 @@ class Builder {
       Encoded& variable = game_.variables[index];
       for (std::size_t i = bits_for(variable.variable.domain); i > 0; --i)
         variable.bits.push_back(manager_->new_pair());
+      // The least one on top: successors of a number then share all nodes but those of the bits that change.
+      // Names follow upon each other in no order.
+      if (variable.variable.domain.kind != model::Domain::Kind::Enumeration)
+        std::reverse(variable.bits.begin(), variable.bits.end());
     }
     game_.valid = constant(true);
     for (const Encoded& variable : game_.variables) {
