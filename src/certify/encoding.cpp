@@ -14,10 +14,19 @@ using bdd::Bdd;
 using logic::Formula;
 using logic::Op;
 
+namespace {
+
+/// The order is the one that the claim was found with, so that only much larger diagrams call for another.
+bdd::ManagerOptions options() {
+  bdd::ManagerOptions result;
+  result.first_reordering *= 10;
+  return result;
+}
+
+}  // namespace
+
 Encoding::Encoding(const spec::Gr1& spec, const std::vector<std::uint32_t>& order, util::Budget& budget)
-    : budget_(budget),
-      manager_(std::make_unique<bdd::Manager>(bdd::ManagerOptions{}, &budget)),
-      symbols_(spec) {
+    : budget_(budget), manager_(std::make_unique<bdd::Manager>(options(), &budget)), symbols_(spec) {
   declare(spec, order);
   for (const auto& definition : spec.definitions) definitions_.push_back(holds(definition.formula));
 }

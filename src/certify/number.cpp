@@ -1,6 +1,7 @@
 #include "number.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace heed::certify {
 namespace {
@@ -111,11 +112,16 @@ Number multiply(const Number& a, const Number& b) {
 bdd::Bdd equal(bdd::Manager& manager, const Number& a, const Number& b) {
   const std::int64_t base = std::min(a.offset, b.offset);
   const Bits x = above(manager, a, base), y = above(manager, b, base);
-  Bdd same = manager.constant(true);
-  for (std::size_t i = std::max(x.size(), y.size()); i-- > 0;) {
-    const Bdd differ = half(at(x, i), at(y, i));
-    same = same.minus(differ);
+  std::vector<Bdd> differ;
+  for (std::size_t i = 0; i < std::max(x.size(), y.size()); ++i) {
+    differ.push_back(half(at(x, i), at(y, i)));
+    if (differ.back().is_true()) return manager.constant(false);
+    if (differ.back().is_false()) differ.pop_back();
   }
+  // From the bottom up: each step then adds nodes on top of what is there, instead of making it anew.
+  std::ranges::sort(differ, std::greater(), [&](const Bdd& bit) { return manager.level(bit.top()); });
+  Bdd same = manager.constant(true);
+  for (const Bdd& bit : differ) same = same.minus(bit);
   return same;
 }
 
