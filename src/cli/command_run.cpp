@@ -49,6 +49,8 @@ int run_command(const Arguments& arguments) {
   if (options.seed) options.command += fmt::format(" --seed {}", *options.seed);
   if (options.traces) options.command += fmt::format(" --traces {}", *options.traces);
   options.threads = static_cast<unsigned>(arguments.number("--threads", 1, 256).value_or(1));
+  options.drive = arguments.has("--drive");
+  if (options.drive) options.command += " --drive";
   options.progress = progress_bar(!arguments.json());
   const report::RunResult result = job::run(scenario, options, budget);
   if (options.progress) fmt::print(stderr, "\r\x1b[K");

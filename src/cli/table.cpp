@@ -86,6 +86,7 @@ std::vector<Command> scenario_commands() {
         seed_option,
         traces_option,
         threads_option,
+        {"--drive", "", "", "", "Also in SUMO, into the report (heed drive)"},
         {"--details", "", "", "", "Also print the formulas of the knowledge base with their axioms"}},
        "heed run examples/stop-sign/stop-sign.toml -o out/stop-sign",
        run_command},

@@ -4,6 +4,7 @@
 #include "staging.h"
 
 #include <heed/job/clashes.h>
+#include <heed/job/drive.h>
 #include <heed/job/evaluate.h>
 #include <heed/job/road.h>
 #include <heed/job/run.h>
@@ -99,6 +100,7 @@ class Job {
     for (const ControllerPart& part : scenario_.controllers) make_controller(part);
     describe_knowledge();
     if (scenario_.evaluate && !scenario_.profiles.empty()) evaluate_all();
+    if (options_.drive) stages_("drive in traffic", 0.97, [&] { return drive_in_traffic(), 0; });
     result_.headline = report::headline_of(result_);
     result_.timings.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -378,6 +380,14 @@ class Job {
         described.drives.push_back(std::move(drive));
       }
     if (!described.drives.empty()) result_.roads.push_back(std::move(described));
+  }
+
+  void drive_in_traffic() {
+    DriveOptions options;
+    options.command = "heed drive " + scenario_.path;
+    options.seed = options_.seed;
+    Driven driven = drive(scenario_, options, budget_);
+    if (!driven.result.runs.empty()) result_.driving = std::move(driven.result);
   }
 
   void compare_policies() {

@@ -44,6 +44,7 @@ void write_contents(Markup& page, const RunResult& result) {
   link(has_errors(result), "catalogue", "Every " + result.kind);
   link(!result.tuning.figures.empty(), "policies", "Policies");
   link(!result.roads.empty(), "roads", "Roads");
+  link(result.driving.has_value(), "driving", "Driving");
   link(true, "method", "Method");
   link(true, "timings", "Timings");
 }
@@ -64,6 +65,7 @@ void write_body(Markup& page, const RunResult& result) {
     write_catalogue(page, result);
     write_policies(page, result);
     write_roads(page, result);
+    write_driving(page, result);
     write_method(page, result);
     write_timings(page, result);
   }

@@ -27,6 +27,7 @@ void write_speed(Markup& page, const RunResult& result);
 void write_catalogue(Markup& page, const RunResult& result);
 void write_roads(Markup& page, const RunResult& result);
 void write_policies(Markup& page, const RunResult& result);
+void write_driving(Markup& page, const RunResult& result);
 void write_method(Markup& page, const RunResult& result);
 void write_timings(Markup& page, const RunResult& result);
 

@@ -270,6 +270,7 @@ struct Document {
     value["road"] = result.road;
     value["speed"] = to_value(result.speed);
     value["tuning"] = to_value(result.tuning);
+    value["driving"] = result.driving ? Json::parse(to_json(*result.driving)) : Json(nullptr);
     value["seed"] = result.seed;
     value["confidence"] = result.confidence;
     value["interval"] = result.interval;

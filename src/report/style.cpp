@@ -132,6 +132,7 @@ figure { margin: 0; min-width: 0; break-inside: avoid; }
 figcaption { margin-bottom: .8rem; }
 figure .because { margin: .6rem 0 0; }
 figcaption strong { font: 600 1.12rem/1.35 var(--serif); display: block; }
+img.picture { display: block; width: 100%; min-width: 36rem; max-width: 60rem; height: auto; }
 svg.chart { display: block; width: 100%; height: auto; max-width: 32rem; overflow: visible; }
 svg.speed { max-width: 42rem; }
 svg text { fill: var(--ink); font: 13px var(--sans); font-variant-numeric: tabular-nums; }

@@ -21,6 +21,9 @@ if "$heed" drive "$scenario" --roads 1 --profile P2 -o "$work/probe" >"$work/out
   check 'the same roads' cmp -s "$work/drive/drive.csv" "$work/again/drive.csv"
   check 'drive --controller --profile --thing' exits 0 "$heed" drive "$scenario" --roads 20 --controller awareness --profile P2 --thing none -o "$work/none"
   check 'nothing there, nobody halts' test "$(grep -c ',infeasible,,0,' "$work/none/drive.csv")" -eq 20
+  check 'run --drive' exits 0 "$heed" run "$scenario" --drive --traces 100 -o "$work/run"
+  check 'the report drives' grep -q 'id="driving"' "$work/run/report.html"
+  check 'with the figures of heed drive' grep -q '"halted_at_line"' "$work/run/report.json"
   check 'an unknown profile' exits 2 "$heed" drive "$scenario" --profile P7 -o "$work/p7"
   check 'the nearest one is named' warns "'P1'"
   check 'an unknown thing' exits 2 "$heed" drive "$scenario" --thing Stopsing -o "$work/thing"

@@ -16,6 +16,7 @@ struct RunOptions {
   std::string command;  ///< For the report: how to repeat it.
   std::optional<std::uint64_t> traces, seed;  ///< Instead of the scenario's.
   unsigned threads = 1;
+  bool drive = false;  ///< Also in a simulator of traffic, into the report.
   util::Progress progress{};
 };
 

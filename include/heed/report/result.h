@@ -1,5 +1,6 @@
 #pragma once
 
+#include <heed/report/drive.h>
 #include <heed/util/diagnostic.h>
 #include <heed/util/source.h>
 
@@ -243,6 +244,7 @@ struct RunResult {
   std::vector<std::string> road{};
   SpeedPicture speed{};
   Tuning tuning{};  ///< Empty: no policies were compared.
+  std::optional<DriveResult> driving{};  ///< In a simulator of traffic; none: not asked for.
   std::uint64_t seed = 0;
   double confidence = 0.95;           ///< Of the intervals.
   std::string interval = "Wilson";    ///< Their kind.

@@ -81,6 +81,70 @@ TEST(Html, PoliciesStandWhereTheirErrorsAre) {
   EXPECT_NE(to_svg(sample::tuning()).find("tree-or-full: misses 36.7 %, needless 0 %"), std::string::npos);
 }
 
+DriveResult driving(const std::string& word) {
+  DriveResult driving;
+  driving.command = "heed drive x.toml";
+  driving.thing = word;
+  driving.roads = 2;
+  driving.outcomes = {"infeasible", "stop in 2"};
+  driving.controllers = {{"base", word}, {"awareness", word}};
+  driving.profiles = {{"P1", word}};
+  driving.setting = {{"cell_metres", 10}};
+  for (const char* name : {"base", "awareness"}) {
+    DriveRoad halt, miss;
+    halt.road = 1;
+    halt.outcome = 1;
+    halt.cells_left = 2;
+    halt.overshoot = 0;
+    halt.peak_deceleration = 4.82;
+    driving.runs.push_back({"P1", name, {miss, halt}});
+    driving.traces.push_back({"P1", name, 1, 1, 2, {{-50, 50}, {-20, 50}, {0, 0}}});
+  }
+  return driving;
+}
+
+/// What base64 says, by a table of what each digit stands for.
+std::string decoded(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned held = 0, bits = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    held = held << 6U | static_cast<unsigned>(digits.find(c));
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes += static_cast<char>(held >> bits & 255U);
+  }
+  return bytes;
+}
+
+TEST(Html, DrivingStandsWithItsPictures) {
+  RunResult result = sample::result();
+  EXPECT_EQ(to_html(result).find("id=\"driving\""), std::string::npos);
+  result.driving = driving("the stop sign");
+  const std::string page = to_html(result);
+  EXPECT_EQ(test::flaw(page), "");
+  EXPECT_NE(page.find("id=\"driving\""), std::string::npos);
+  EXPECT_NE(page.find("heed drive x.toml"), std::string::npos);
+  const std::string mark = "data:image/svg+xml;base64,";
+  std::vector<std::string> pictures;
+  for (std::size_t at = page.find(mark); at != std::string::npos; at = page.find(mark, at + 1)) {
+    const std::size_t begin = at + mark.size();
+    pictures.push_back(decoded(page.substr(begin, page.find('"', begin) - begin)));
+  }
+  EXPECT_EQ(pictures, (std::vector<std::string>{metres_svg(*result.driving), braking_svg(*result.driving),
+                                                speed_svg(*result.driving)}));
+}
+
+TEST(Html, DrivingSurvivesHostileText) {
+  RunResult result = spoilt();
+  result.driving = driving(hostile);
+  const std::string page = to_html(result);
+  EXPECT_EQ(test::flaw(page), "");
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+}
+
 TEST(Html, SameResultSameBytes) {
   EXPECT_EQ(to_html(sample::result()), to_html(sample::result()));
 }
