@@ -243,7 +243,7 @@ struct RunResult {
   /// The car's way past the sign without a stop, such as M0 M4 M3 M2 M1 M0.
   std::vector<std::string> road{};
   SpeedPicture speed{};
-  Tuning tuning{};  ///< Empty: no policies were compared.
+  Tuning tuning{};                       ///< Empty: no policies were compared.
   std::optional<DriveResult> driving{};  ///< In a simulator of traffic; none: not asked for.
   std::uint64_t seed = 0;
   double confidence = 0.95;           ///< Of the intervals.
