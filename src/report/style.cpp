@@ -122,6 +122,7 @@ summary .place { font-weight: 400; }
 .warning p { margin: 0; }
 .pairs { display: grid; gap: 0 2.5rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 24rem), 1fr)); align-items: start; }
 .pairs > * { min-width: 0; }
+img.picture { display: block; width: 100%; min-width: 36rem; max-width: 60rem; height: auto; }
 )css";
 
 constexpr std::string_view charts = R"css(
@@ -132,7 +133,6 @@ figure { margin: 0; min-width: 0; break-inside: avoid; }
 figcaption { margin-bottom: .8rem; }
 figure .because { margin: .6rem 0 0; }
 figcaption strong { font: 600 1.12rem/1.35 var(--serif); display: block; }
-img.picture { display: block; width: 100%; min-width: 36rem; max-width: 60rem; height: auto; }
 svg.chart { display: block; width: 100%; height: auto; max-width: 32rem; overflow: visible; }
 svg.speed { max-width: 42rem; }
 svg text { fill: var(--ink); font: 13px var(--sans); font-variant-numeric: tabular-nums; }
