@@ -36,11 +36,13 @@ class LetterFormula {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (nodes_[i].op() == Op::Name) places_[i] = place(nodes_[i]);
     for (const Formula& node : nodes_) {
+      // What is said of the plant after X is a column by now: a name that is left there means nothing.
+      if (node.op() == Op::Next && is_unknown(node[0])) unknown(node[0]);
       if (node.op() >= Op::Next) refuse_temporal(node);
       if (node.op() >= Op::Eq && node.op() <= Op::Ge) resolve_values(node);
     }
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (nodes_[i].op() == Op::Name && places_[i].kind == Place::Kind::Operand) unknown(nodes_[i]);
+      if (is_unknown(nodes_[i])) unknown(nodes_[i]);
   }
 
   [[nodiscard]] bool holds(const model::Valuation& input, const model::Valuation& output) {
@@ -63,6 +65,10 @@ class LetterFormula {
     for (std::size_t i = 0; i < machine_.inputs.size(); ++i)
       if (machine_.inputs[i].name == name.name()) return {Place::Kind::Input, i, 0};
     return {};
+  }
+
+  [[nodiscard]] bool is_unknown(const Formula& node) const {
+    return node.op() == Op::Name && places_[index_.at(node.identity())].kind == Place::Kind::Operand;
   }
 
   [[nodiscard]] const model::Domain* domain_of(const Formula& term) const {
