@@ -1,6 +1,6 @@
 #include "staging.h"
+#include "verified.h"
 
-#include <heed/job/clashes.h>
 #include <heed/job/drive.h>
 #include <heed/job/evaluate.h>
 #include <heed/job/version.h>
@@ -267,20 +267,10 @@ class Driver {
     progress("synthesize and verify " + part.name.text, 0);
     const Design designed = design(scenario_, world_, part);
     check_formulas(designed);
-    (void)settle_clashes(scenario_, world_, designed, budget_);
-    Synthesized made = synthesize(designed, scenario_.perception.on_violation, budget_);
-    if (!made.result.realizable) {
-      driven_.warnings.push_back({util::Severity::Warning,
-                                  part.name.location,
-                                  "unrealizable",
-                                  fmt::format("there is no controller '{}': it is left out", part.name.text),
-                                  "heed run says why",
-                                  {}});
-      return;
-    }
-    if (!made.verdict->verified)
-      throw std::logic_error(fmt::format("the check refuses the controller '{}'", part.name.text));
-    machines_.push_back(std::move(*made.result.machine));
+    std::optional<model::Mealy> machine =
+        verified_machine(scenario_, world_, part, designed, budget_, driven_.warnings);
+    if (!machine) return;
+    machines_.push_back(std::move(*machine));
     driven_.result.controllers.push_back({part.name.text, part.title, part.beside});
   }
 

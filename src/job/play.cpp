@@ -1,7 +1,7 @@
 #include "play_parts.h"
+#include "verified.h"
 
 #include <heed/awareness/explain.h>
-#include <heed/job/clashes.h>
 #include <heed/job/play.h>
 #include <heed/job/version.h>
 #include <heed/owl/axiom.h>
@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace heed::job {
 namespace {
@@ -59,20 +58,10 @@ class Maker {
           static_cast<double>(players_.size()) / static_cast<double>(scenario_.controllers.size()));
     Player player{&part, design(scenario_, world_, part), {}};
     check_evaluate(scenario_, world_, player.design);
-    (void)settle_clashes(scenario_, world_, player.design, budget_);
-    Synthesized made = synthesize(player.design, scenario_.perception.on_violation, budget_);
-    if (!made.result.realizable) {
-      result_.warnings.push_back({util::Severity::Warning,
-                                  part.name.location,
-                                  "unrealizable",
-                                  fmt::format("there is no controller '{}': it is left out", part.name.text),
-                                  "heed run says why",
-                                  {}});
-      return;
-    }
-    if (!made.verdict->verified)
-      throw std::logic_error(fmt::format("the check refuses the controller '{}'", part.name.text));
-    player.machine = std::move(*made.result.machine);
+    std::optional<model::Mealy> machine =
+        verified_machine(scenario_, world_, part, player.design, budget_, result_.warnings);
+    if (!machine) return;
+    player.machine = std::move(*machine);
     players_.push_back(std::move(player));
   }
 
