@@ -5,12 +5,10 @@
 
 namespace heed::bdd {
 
-namespace {
-constexpr std::size_t initial_sets = std::size_t{1} << 13;
-}
-
-ComputedCache::ComputedCache(std::size_t max_bytes)
-    : sets_(initial_sets), shift_(64 - std::countr_zero(initial_sets)), max_bytes_(max_bytes) {}
+ComputedCache::ComputedCache(std::size_t entries, std::size_t max_bytes)
+    : sets_(std::bit_ceil(std::max<std::size_t>(entries / 2, 2))),
+      shift_(64 - std::countr_zero(sets_.size())),
+      max_bytes_(max_bytes) {}
 
 void ComputedCache::clear() {
   std::fill(sets_.begin(), sets_.end(), Set{});

@@ -30,7 +30,7 @@ enum class Ternary : std::uint32_t { Ite = 1, AndExists = 2, AndExistsNext = 3 }
 /// side.
 class ComputedCache {
  public:
-  explicit ComputedCache(std::size_t max_bytes);
+  ComputedCache(std::size_t entries, std::size_t max_bytes);
 
   bool find(Binary op, Edge f, Edge g, Edge& result) { return find(f, g, code(op), result); }
   void store(Binary op, Edge f, Edge g, Edge result) { store(f, g, code(op), result); }

@@ -1,59 +1,19 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "inspect.h"
-#include "operations.h"
-#include "visit.h"
+#include "walk.h"
 
-/// What reads diagrams and makes no nodes. Results of counting are kept by edge, not by node: the two
-/// polarities of a node are counted apart, since 1 - x would lose every count that is small against the
-/// number of assignments.
+/// What reads diagrams and makes no nodes. The two polarities of a node are counted apart, since 1 - x would
+/// lose every count that is small against the number of assignments.
 namespace heed::bdd {
 
-namespace {
-
-/// The nodes below \p roots, parents before children within a path, as indices; the terminal is among them.
-Numbering reachable(const Kernel& kernel, std::span<const Edge> roots) {
-  Numbering seen;
-  seen.insert(0);
-  for (const Edge root : roots) seen.insert(root >> 1);
-  for (std::size_t i = 1; i < seen.keys().size(); ++i) {
-    const Node& node = kernel.node(seen.keys()[i] << 1);
-    seen.insert(node.low >> 1);
-    seen.insert(node.high >> 1);
-  }
-  return seen;
-}
-
-/// All edges below \p root, children before parents.
-std::vector<Edge> edges_bottom_up(const Kernel& kernel, Edge root) {
-  Numbering seen;
-  seen.insert(root);
-  for (std::size_t i = 0; i < seen.keys().size(); ++i) {
-    const Edge edge = seen.keys()[i];
-    if (edge <= 1) continue;
-    seen.insert(kernel.low(edge));
-    seen.insert(kernel.high(edge));
-  }
-  std::vector<Edge> edges = seen.keys();
-  std::stable_sort(edges.begin(), edges.end(),
-                   [&](Edge a, Edge b) { return kernel.level(a) > kernel.level(b); });
-  return edges;
-}
-
-Numbering numbered(const std::vector<Edge>& edges) {
-  Numbering numbers;
-  for (const Edge edge : edges) numbers.insert(edge);
-  return numbers;
-}
-
-}  // namespace
-
-std::vector<std::uint32_t> support_variables(const Kernel& kernel, Edge f) {
-  const Edge roots[] = {f};
+std::vector<std::uint32_t> support_variables(Kernel& kernel, Edge f) {
   std::vector<bool> found(kernel.variable_count() + 1, false);
-  const Numbering below = reachable(kernel, roots);
-  for (const std::uint32_t index : below.keys()) found[kernel.variable(index << 1)] = true;
+  const Edge roots[] = {f};
+  const Walk below(kernel, roots);
+  for (std::size_t i = 1; i < below.size(); ++i) found[below.node(i).variable] = true;
   std::vector<std::uint32_t> variables;
   for (std::uint32_t v = 1; v < found.size(); ++v) {
     if (found[v]) variables.push_back(v);
@@ -61,11 +21,36 @@ std::vector<std::uint32_t> support_variables(const Kernel& kernel, Edge f) {
   return variables;
 }
 
-std::size_t shared_size(const Kernel& kernel, std::span<const Edge> roots) {
-  return reachable(kernel, roots).keys().size();
+std::size_t shared_size(Kernel& kernel, std::span<const Edge> roots) {
+  return Walk(kernel, roots).size();
 }
 
 namespace {
+
+/// What is counted for both polarities of a node.
+template <typename Number>
+struct Polarities {
+  Number by_complement[2];
+};
+
+/// \p at_terminal and the mean or sum that \p join makes of the two children's, from the bottom up. \returns
+/// that of \p f
+template <typename Number, typename Join>
+Number fold(Kernel& kernel, Edge f, const Polarities<Number>& at_terminal, Join&& join) {
+  const Edge roots[] = {f};
+  const Walk below(kernel, roots);
+  std::vector<Polarities<Number>> values(1, at_terminal);
+  values.reserve(below.size());
+  for (std::size_t i = 1; i < below.size(); ++i) {
+    const Node& node = below.node(i);
+    const Polarities<Number>& low = values[below.number(node.low)];
+    const Polarities<Number>& high = values[below.number(node.high)];
+    const Edge flip = node.low & 1U;
+    values.push_back({{join(node, low.by_complement[flip], high.by_complement[0]),
+                       join(node, low.by_complement[flip ^ 1U], high.by_complement[1])}});
+  }
+  return values.back().by_complement[f & 1U];
+}
 
 /// mantissa * 2^exponent: a density may be far below what a double's exponent can say.
 struct Scaled {
@@ -85,45 +70,56 @@ Scaled mean(const Scaled& a, const Scaled& b) {
   return {mantissa, exponent + carry - 1};
 }
 
-}  // namespace
+/// Variables up to which every density but 0 is far from the least double, so that halving is exact.
+constexpr std::size_t most_for_double = 900;
 
-double count_double(const Kernel& kernel, Edge f, std::size_t variables) {
-  const std::vector<Edge> edges = edges_bottom_up(kernel, f);
-  const Numbering numbers = numbered(edges);
-  std::vector<Scaled> density;
-  for (const Edge edge : edges) {
-    density.push_back(
-        edge <= 1 ? Scaled{edge == true_edge ? 1.0 : 0.0, 0}
-                  : mean(density[numbers.find(kernel.low(edge))], density[numbers.find(kernel.high(edge))]));
+Scaled density(Kernel& kernel, Edge f) {
+  if (kernel.variable_count() > most_for_double) {
+    return fold<Scaled>(kernel, f, {{{1, 0}, {0, 0}}},
+                        [](const Node&, const Scaled& low, const Scaled& high) { return mean(low, high); });
   }
-  const long exponent = density.back().exponent + static_cast<long>(variables);
-  return std::ldexp(density.back().mantissa, static_cast<int>(std::clamp(exponent, -5000L, 5000L)));
+  return {fold<double>(kernel, f, {{1, 0}},
+                       [](const Node&, double low, double high) { return (low + high) / 2; }),
+          0};
 }
 
-Words count_exactly(const Kernel& kernel, Edge f, std::size_t variables) {
-  if (f <= 1) return f == true_edge ? shifted_left({1}, variables) : Words{};
+}  // namespace
+
+double count_double(Kernel& kernel, Edge f, std::size_t variables) {
+  const Scaled part = density(kernel, f);
+  const long exponent = part.exponent + static_cast<long>(variables);
+  return std::ldexp(part.mantissa, static_cast<int>(std::clamp(exponent, -5000L, 5000L)));
+}
+
+Words count_exactly(Kernel& kernel, Edge f, std::size_t variables) {
   std::vector<std::uint32_t> support = support_variables(kernel, f);
   assert(support.size() <= variables);
   std::sort(support.begin(), support.end(),
             [&](std::uint32_t a, std::uint32_t b) { return kernel.level_of(a) < kernel.level_of(b); });
   std::vector<std::size_t> rank(kernel.variable_count() + 1, support.size());
   for (std::size_t i = 0; i < support.size(); ++i) rank[support[i]] = i;
-
-  const std::vector<Edge> edges = edges_bottom_up(kernel, f);
-  const Numbering numbers = numbered(edges);
-  std::vector<Words> counts;
-  const auto below = [&](std::size_t here, Edge child) {
-    return shifted_left(counts[numbers.find(child)], rank[kernel.variable(child)] - here - 1);
+  const auto below = [&](const Node& node, const Words& count, Edge child) {
+    return shifted_left(count, rank[kernel.variable(child)] - rank[node.variable] - 1);
   };
-  for (const Edge edge : edges) {
-    if (edge <= 1) {
-      counts.push_back(edge == true_edge ? Words{1} : Words{});
-    } else {
-      const std::size_t here = rank[kernel.variable(edge)];
-      counts.push_back(sum(below(here, kernel.low(edge)), below(here, kernel.high(edge))));
-    }
+  const Words count =
+      fold<Words>(kernel, f, {{{1}, {}}}, [&](const Node& node, const Words& low, const Words& high) {
+        return sum(below(node, low, node.low), below(node, high, node.high));
+      });
+  return shifted_left(count, variables - support.size());
+}
+
+Serialised listed(Kernel& kernel, std::span<const Edge> roots) {
+  Serialised data;
+  Walk below(kernel);
+  for (const Edge root : roots) {
+    below.add(root);
+    data.roots.push_back(below.reference(root));
   }
-  return shifted_left(counts.back(), variables - support.size());
+  for (std::size_t i = 1; i < below.size(); ++i) {
+    const Node& node = below.node(i);
+    data.nodes.push_back({node.variable - 1, below.reference(node.low), below.reference(node.high)});
+  }
+  return data;
 }
 
 }  // namespace heed::bdd

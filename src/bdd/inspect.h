@@ -1,5 +1,7 @@
 #pragma once
 
+#include <heed/bdd/bdd.h>
+
 #include <span>
 
 #include "kernel.h"
@@ -9,10 +11,12 @@
 namespace heed::bdd {
 
 /// Variables (kernel numbers) that it depends on, ascending.
-[[nodiscard]] std::vector<std::uint32_t> support_variables(const Kernel& kernel, Edge f);
+[[nodiscard]] std::vector<std::uint32_t> support_variables(Kernel& kernel, Edge f);
 /// Nodes below the roots, shared ones once, with the terminal.
-[[nodiscard]] std::size_t shared_size(const Kernel& kernel, std::span<const Edge> roots);
-[[nodiscard]] double count_double(const Kernel& kernel, Edge f, std::size_t variables);
-[[nodiscard]] Words count_exactly(const Kernel& kernel, Edge f, std::size_t variables);
+[[nodiscard]] std::size_t shared_size(Kernel& kernel, std::span<const Edge> roots);
+[[nodiscard]] double count_double(Kernel& kernel, Edge f, std::size_t variables);
+[[nodiscard]] Words count_exactly(Kernel& kernel, Edge f, std::size_t variables);
+/// The nodes and roots of serialise(); its order is left to the caller.
+[[nodiscard]] Serialised listed(Kernel& kernel, std::span<const Edge> roots);
 
 }  // namespace heed::bdd

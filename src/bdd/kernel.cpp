@@ -18,7 +18,7 @@ constexpr std::uint64_t least_work = 1000;
 }  // namespace
 
 Kernel::Kernel(Manager* manager, const ManagerOptions& given, util::Budget* limits)
-    : cache(given.max_cache_bytes),
+    : cache(given.initial_nodes / 4, given.max_cache_bytes),
       owner(manager),
       options(given),
       budget(limits),
@@ -101,13 +101,15 @@ void UniqueTable::reset(std::uint32_t nodes) {
 }
 
 void Kernel::grow_table(UniqueTable& table) {
-  const std::size_t size = table.buckets.size() * 2;
+  const std::size_t size = table.buckets.size() * 4;
   reserve(size * sizeof(std::uint32_t));
   std::vector<std::uint32_t> old(size, 0);
   old.swap(table.buckets);
-  --table.shift;
+  table.shift -= 2;
   table.limit = static_cast<std::uint32_t>(size);
-  for (std::uint32_t head : old) {
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    __builtin_prefetch(&nodes_.get()[old[std::min(i + 12, old.size() - 1)]]);
+    std::uint32_t head = old[i];
     while (head != 0) {
       Node& node = nodes_.get()[head];
       const std::uint32_t following = node.next;

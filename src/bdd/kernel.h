@@ -109,6 +109,7 @@ class Kernel {
 
  private:
   friend class Reorderer;
+  friend class Walk;
   struct Release {
     void operator()(Node* nodes) const { std::free(nodes); }
   };

@@ -1,24 +1,12 @@
 #include <heed/util/diagnostic.h>
 
-#include <algorithm>
 #include <cassert>
 
-#include "kernel.h"
-#include "visit.h"
+#include "inspect.h"
 
 namespace heed::bdd {
 
 namespace {
-
-/// Children before parents, in the order of a depth-first walk. Depth is bounded by the number of variables.
-void list_bottom_up(const Bdd& diagram, Numbering& seen, std::vector<Bdd>& listed) {
-  if (diagram.is_constant() || seen.find(diagram.id() >> 1) != Numbering::absent) return;
-  const Bdd regular = (diagram.id() & 1U) != 0 ? !diagram : diagram;
-  list_bottom_up(regular.low(), seen, listed);
-  list_bottom_up(regular.high(), seen, listed);
-  seen.insert(diagram.id() >> 1);
-  listed.push_back(regular);
-}
 
 [[noreturn]] void refuse(const std::string& what) {
   throw util::InputError(util::Location{}, "bad-diagram", what,
@@ -36,23 +24,16 @@ Bdd referenced(Manager& manager, const std::vector<Bdd>& built, std::uint32_t re
 }  // namespace
 
 Serialised serialise(std::span<const Bdd> diagrams) {
-  Serialised data;
-  if (diagrams.empty()) return data;
-  Numbering seen;
-  seen.insert(0);
-  std::vector<Bdd> listed;
-  const auto reference = [&](const Bdd& f) { return (seen.find(f.id() >> 1) << 1) | (f.id() & 1U); };
-  for (const Bdd& diagram : diagrams) {
-    assert(&diagram.manager() == &diagrams.front().manager());
-    list_bottom_up(diagram, seen, listed);
-    data.roots.push_back(reference(diagram));
-  }
+  if (diagrams.empty()) return {};
   const Manager& manager = diagrams.front().manager();
-  std::vector<bool> used(manager.variable_count(), false);
-  for (const Bdd& node : listed) {
-    data.nodes.push_back({node.top(), reference(node.low()), reference(node.high())});
-    used[node.top()] = true;
+  std::vector<Edge> roots;
+  for (const Bdd& diagram : diagrams) {
+    assert(&diagram.manager() == &manager);
+    roots.push_back(diagram.id());
   }
+  Serialised data = listed(*diagrams.front().kernel_, roots);
+  std::vector<bool> used(manager.variable_count(), false);
+  for (const Serialised::Node& node : data.nodes) used[node.variable] = true;
   for (const Var variable : manager.order()) {
     if (used[variable]) data.order.push_back(variable);
   }

@@ -23,6 +23,7 @@ namespace heed::bdd {
 
 class Kernel;
 class Manager;
+struct Serialised;
 
 /// A variable's number: the order of creation, from 0. It never changes; its level may.
 using Var = std::uint32_t;
@@ -160,6 +161,7 @@ class Bdd {
   friend class Manager;
   friend class Kernel;
   friend class CofactorTable;
+  friend Serialised serialise(std::span<const Bdd> diagrams);
   Bdd(Kernel* kernel, std::uint32_t edge);
 
   Kernel* kernel_ = nullptr;
