@@ -5,8 +5,13 @@
 
 namespace heed::bdd {
 
-ComputedCache::ComputedCache(std::size_t entries, std::size_t max_bytes)
-    : sets_(std::bit_ceil(std::max<std::size_t>(entries / 2, 2))),
+namespace {
+/// Up to here it grows by four: it is soon outgrown, and costs little.
+constexpr std::size_t small_bytes = std::size_t{1} << 18;
+}  // namespace
+
+ComputedCache::ComputedCache(std::size_t bytes, std::size_t max_bytes)
+    : sets_(std::bit_ceil(std::max<std::size_t>(std::min(bytes, max_bytes) / sizeof(Set), 2))),
       shift_(64 - std::countr_zero(sets_.size())),
       max_bytes_(max_bytes) {}
 
@@ -34,14 +39,15 @@ void ComputedCache::sweep(const std::vector<std::uint64_t>& marked) {
   }
 }
 
-std::size_t ComputedCache::growth_bytes() const {
-  return bytes() * 2 <= max_bytes_ ? bytes() : 0;
+unsigned ComputedCache::growth() const {
+  return bytes() < small_bytes && bytes() * 4 <= max_bytes_ ? 2 : bytes() * 2 <= max_bytes_ ? 1 : 0;
 }
 
 void ComputedCache::grow() {
-  std::vector<Set> old(sets_.size() * 2);
+  const unsigned bits = growth();
+  std::vector<Set> old(sets_.size() << bits);
   old.swap(sets_);
-  --shift_;
+  shift_ -= bits;
   for (const Set& place : old) {
     for (const Entry& entry : {place.older, place.newer}) {
       if (entry.f != 0 || entry.g != 0 || entry.h != 0) store(entry.f, entry.g, entry.h, entry.result);

@@ -30,7 +30,7 @@ enum class Ternary : std::uint32_t { Ite = 1, AndExists = 2, AndExistsNext = 3 }
 /// side.
 class ComputedCache {
  public:
-  ComputedCache(std::size_t entries, std::size_t max_bytes);
+  ComputedCache(std::size_t bytes, std::size_t max_bytes);
 
   bool find(Binary op, Edge f, Edge g, Edge& result) { return find(f, g, code(op), result); }
   void store(Binary op, Edge f, Edge g, Edge result) { store(f, g, code(op), result); }
@@ -40,9 +40,9 @@ class ComputedCache {
   void clear();
   /// Forget what mentions a node without its bit in \p marked.
   void sweep(const std::vector<std::uint64_t>& marked);
-  /// Bytes that doubling would add; 0 at the bound.
-  [[nodiscard]] std::size_t growth_bytes() const;
-  /// Twice the sets, keeping what is there.
+  /// Times that the next growth doubles it; 0 at the bound.
+  [[nodiscard]] unsigned growth() const;
+  /// Grows, keeping what is there.
   void grow();
   [[nodiscard]] std::size_t entries() const { return sets_.size() * 2; }
   [[nodiscard]] std::size_t bytes() const { return sets_.size() * sizeof(Set); }

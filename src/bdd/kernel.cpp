@@ -18,7 +18,7 @@ constexpr std::uint64_t least_work = 1000;
 }  // namespace
 
 Kernel::Kernel(Manager* manager, const ManagerOptions& given, util::Budget* limits)
-    : cache(given.initial_nodes / 4, given.max_cache_bytes),
+    : cache(given.initial_cache_bytes, given.max_cache_bytes),
       owner(manager),
       options(given),
       budget(limits),
@@ -146,9 +146,9 @@ void Kernel::refuel() {
   counts_.steps += fuel_per_check;
   if (budget != nullptr) budget->check();
   if (counts_.steps - steps_at_growth_ < cache.entries() * 2) return;
-  const std::size_t more = cache.growth_bytes();
-  if (more == 0 || cache.entries() > std::size_t{used_} * 2) return;
-  reserve(more * 2);
+  const unsigned growth = cache.growth();
+  if (growth == 0 || cache.entries() > std::size_t{used_} * 2) return;
+  reserve(cache.bytes() << growth);
   cache.grow();
   steps_at_growth_ = counts_.steps;
 }

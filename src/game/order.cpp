@@ -48,7 +48,8 @@ class Edges {
     add_edge(variables_of(formula));
     std::unordered_map<const void*, Edge> small;  // empty where there is none, or more than some
     for (const logic::Formula& node : logic::postorder(formula)) {
-      Edge edge = node.op() == logic::Op::Name ? variables_of(node) : Edge();
+      Edge edge;
+      if (node.op() == logic::Op::Name) append(edge, node.name());
       for (const logic::Formula& operand : node.operands()) {
         const Edge& part = small.at(operand.identity());
         edge.insert(edge.end(), part.begin(), part.end());
@@ -73,12 +74,15 @@ class Edges {
     add_edge(std::move(edge));
   }
 
+  void append(Edge& edge, const std::string& name) const {
+    const auto found = names_.find(name);
+    if (found != names_.end()) edge.insert(edge.end(), found->second.begin(), found->second.end());
+  }
+
   [[nodiscard]] Edge variables_of(const logic::Formula& formula) const {
     Edge edge;
     for (const logic::Formula& node : logic::postorder(formula)) {
-      if (node.op() != logic::Op::Name) continue;
-      const auto found = names_.find(node.name());
-      if (found != names_.end()) edge.insert(edge.end(), found->second.begin(), found->second.end());
+      if (node.op() == logic::Op::Name) append(edge, node.name());
     }
     std::sort(edge.begin(), edge.end());
     edge.erase(std::unique(edge.begin(), edge.end()), edge.end());

@@ -53,28 +53,32 @@ MealyBuilder::MealyBuilder(std::string name, std::vector<Variable> inputs, std::
   machine_.name = std::move(name);
   machine_.inputs = std::move(inputs);
   machine_.outputs = std::move(outputs);
-  input_index_.resize(1024);
-  output_index_.resize(1024);
 }
 
 std::uint32_t MealyBuilder::add_state() {
   return states_++;
 }
 
-std::uint32_t MealyBuilder::intern(std::vector<Valuation>& letters,
-                                   std::vector<std::vector<std::uint32_t>>& index, const Valuation& letter) {
-  if (letters.size() > 4 * index.size()) {
-    std::vector<std::vector<std::uint32_t>> larger(index.size() * 8);
-    for (std::uint32_t i = 0; i < letters.size(); ++i)
-      larger[hash_of(letters[i]) & (larger.size() - 1)].push_back(i);
-    index = std::move(larger);
+std::uint32_t MealyBuilder::Letters::number(const Valuation& letter) {
+  if (2 * (letters.size() + 1) > places.size()) grow();
+  std::uint32_t& place = places[place_of(letter)];
+  if (place == free) {
+    place = static_cast<std::uint32_t>(letters.size());
+    letters.push_back(letter);
   }
-  auto& bucket = index[hash_of(letter) & (index.size() - 1)];
-  for (const std::uint32_t i : bucket)
-    if (letters[i] == letter) return i;
-  bucket.push_back(static_cast<std::uint32_t>(letters.size()));
-  letters.push_back(letter);
-  return bucket.back();
+  return place;
+}
+
+std::size_t MealyBuilder::Letters::place_of(const Valuation& letter) const {
+  const std::size_t mask = places.size() - 1;
+  std::size_t place = hash_of(letter) & mask;
+  while (places[place] != free && letters[places[place]] != letter) place = (place + 1) & mask;
+  return place;
+}
+
+void MealyBuilder::Letters::grow() {
+  places.assign(std::max<std::size_t>(64, places.size() * 4), free);
+  for (std::uint32_t i = 0; i < letters.size(); ++i) places[place_of(letters[i])] = i;
 }
 
 void MealyBuilder::add(std::uint32_t state, const Valuation& input, const Valuation& output,
@@ -84,34 +88,39 @@ void MealyBuilder::add(std::uint32_t state, const Valuation& input, const Valuat
 
 std::uint32_t MealyBuilder::input_letter(const Valuation& letter) {
   assert(letter.size() == machine_.inputs.size());
-  return intern(input_letters_, input_index_, letter);
+  return input_letters_.number(letter);
 }
 
 std::uint32_t MealyBuilder::output_letter(const Valuation& letter) {
   assert(letter.size() == machine_.outputs.size());
-  return intern(output_letters_, output_index_, letter);
+  return output_letters_.number(letter);
 }
 
 Mealy MealyBuilder::finish() {
-  const auto input_place = sort_letters(input_letters_);
-  const auto output_place = sort_letters(output_letters_);
-  for (Row& row : rows_) {
-    row.transition.input = input_place[row.transition.input];
-    row.transition.output = output_place[row.transition.output];
-  }
-  machine_.input_letters = std::move(input_letters_);
-  machine_.output_letters = std::move(output_letters_);
+  const auto input_place = sort_letters(input_letters_.letters);
+  const auto output_place = sort_letters(output_letters_.letters);
+  machine_.input_letters = std::move(input_letters_.letters);
+  machine_.output_letters = std::move(output_letters_.letters);
+  const auto end_of = [&](std::size_t run) {
+    return run + 1 < runs_.size() ? runs_[run + 1].begin : rows_.size();
+  };
   machine_.first.assign(states_ + 1, 0);
-  for (const Row& row : rows_) ++machine_.first[row.state + 1];
+  for (std::size_t run = 0; run < runs_.size(); ++run)
+    machine_.first[runs_[run].state + 1] += static_cast<std::uint32_t>(end_of(run) - runs_[run].begin);
   std::partial_sum(machine_.first.begin(), machine_.first.end(), machine_.first.begin());
   machine_.transitions.resize(rows_.size());
   std::vector<std::uint32_t> place(machine_.first.begin(), machine_.first.end() - 1);
-  for (const Row& row : rows_) machine_.transitions[place[row.state]++] = row.transition;
+  auto row = rows_.begin();
+  for (std::size_t run = 0; run < runs_.size(); ++run)
+    for (std::size_t i = runs_[run].begin; i < end_of(run); ++i, ++row)
+      machine_.transitions[place[runs_[run].state]++] = {input_place[row->input], output_place[row->output],
+                                                         row->next, row->fallback};
   for (std::uint32_t state = 0; state < states_; ++state)
     std::sort(machine_.transitions.begin() + machine_.first[state],
               machine_.transitions.begin() + machine_.first[state + 1],
               [](const Mealy::Transition& a, const Mealy::Transition& b) { return a.input < b.input; });
   rows_.clear();
+  runs_.clear();
   return std::move(machine_);
 }
 

@@ -124,9 +124,9 @@ std::vector<std::uint32_t> drop_unused(std::vector<Valuation>& letters, const st
   return place;
 }
 
-/// Keeps of each block its first state in \p order; drops letters that no row uses any more. Letters keep
-/// their numbers' order, so that rows stay sorted and nothing is looked up.
-Mealy quotient(const Mealy& machine, const std::vector<std::uint32_t>& order, const Blocks& block) {
+/// The machine of the blocks, of each its state in \p representative; drops letters that no row uses any
+/// more. Letters keep their numbers' order, so that rows stay sorted and nothing is looked up.
+Mealy quotient(const Mealy& machine, const std::vector<std::uint32_t>& representative, const Blocks& block) {
   Mealy result;
   result.name = machine.name;
   result.inputs = machine.inputs;
@@ -137,8 +137,8 @@ Mealy quotient(const Mealy& machine, const std::vector<std::uint32_t>& order, co
   result.notes = machine.notes;
   std::vector<bool> used_inputs(machine.input_letters.size()), used_outputs(machine.output_letters.size());
   result.first.push_back(0);
-  for (const std::uint32_t state : order) {
-    if (block[state] + 1 != result.first.size()) continue;
+  result.transitions.reserve(machine.transitions.size());
+  for (const std::uint32_t state : representative) {
     for (std::uint32_t t = machine.first[state]; t < machine.first[state + 1]; ++t) {
       Mealy::Transition row = machine.transitions[t];
       used_inputs[row.input] = used_outputs[row.output] = true;
@@ -156,24 +156,27 @@ Mealy quotient(const Mealy& machine, const std::vector<std::uint32_t>& order, co
   return result;
 }
 
-/// Numbers the blocks by first visit in the quotient, so that equal behaviour prints equal.
-void number_by_visit(const Mealy& machine, const std::vector<std::uint32_t>& order, Blocks& block,
-                     std::uint32_t count) {
-  std::vector<std::uint32_t> representative(count, UINT32_MAX), number(count, UINT32_MAX);
+/// Numbers the blocks by first visit in the quotient, so that equal behaviour prints equal. \returns of each
+/// block its first state in \p order, by the new numbers
+std::vector<std::uint32_t> number_by_visit(const Mealy& machine, const std::vector<std::uint32_t>& order,
+                                           Blocks& block, std::uint32_t count) {
+  std::vector<std::uint32_t> first(count, UINT32_MAX), number(count, UINT32_MAX);
   for (const std::uint32_t state : order)
-    if (representative[block[state]] == UINT32_MAX) representative[block[state]] = state;
-  std::vector<std::uint32_t> queue{block[0]};
+    if (first[block[state]] == UINT32_MAX) first[block[state]] = state;
+  std::vector<std::uint32_t> visited{first[block[0]]};
+  visited.reserve(count);
   number[block[0]] = 0;
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    const std::uint32_t state = representative[queue[i]];
+  for (std::size_t i = 0; i < visited.size(); ++i) {
+    const std::uint32_t state = visited[i];
     for (std::uint32_t t = machine.first[state]; t < machine.first[state + 1]; ++t) {
       const std::uint32_t next = block[machine.transitions[t].next];
       if (number[next] != UINT32_MAX) continue;
-      number[next] = static_cast<std::uint32_t>(queue.size());
-      queue.push_back(next);
+      number[next] = static_cast<std::uint32_t>(visited.size());
+      visited.push_back(first[next]);
     }
   }
   for (const std::uint32_t state : order) block[state] = number[block[state]];
+  return visited;
 }
 
 }  // namespace
@@ -187,10 +190,8 @@ Mealy minimise(const Mealy& machine) {
     before = count;
     count = refine(order, block, count, Successors{machine, block});
   }
-  number_by_visit(machine, order, block, count);
-  std::vector<std::uint32_t> by_number(order);
-  std::stable_sort(by_number.begin(), by_number.end(), [&](auto a, auto b) { return block[a] < block[b]; });
-  return quotient(machine, by_number, block);
+  const std::vector<std::uint32_t> representative = number_by_visit(machine, order, block, count);
+  return quotient(machine, representative, block);
 }
 
 }  // namespace heed::model

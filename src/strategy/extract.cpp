@@ -20,11 +20,15 @@ using bdd::Bdd;
 using bdd::Var;
 using game::Owner;
 
-/// Functions of a state's future, in this order; the updates of the memories' bits follow.
-enum Slot : std::size_t { Legal, Moves, Waits, Met, Updates };
+/// Functions of a state's future besides the legal inputs, in this order; the updates of the memories' bits
+/// follow.
+enum Slot : std::size_t { Moves, Waits, Met, Updates };
 
 /// How many answers are looked at for one that leads to a state that is there already.
 constexpr std::size_t most_answers = 16;
+
+/// The mode of the first step, which no later one shares.
+constexpr std::uint32_t no_mode = UINT32_MAX;
 
 /// Where a bit stands in a valuation.
 struct Place {
@@ -51,10 +55,10 @@ model::Valuation lowest(const game::Game& game, Owner owner) {
   return values;
 }
 
-/// Lists the machine state by state. A state is the vector of functions that is left of (legal inputs, rule,
-/// updates) once the play's current values are put in. Its letters are listed by walking that vector and,
-/// along the same input bits, the rules of all goals over the step to come with the columns; an answer's bits
-/// are then put in at once. What follows from equal rests is looked up. \cite ehlers.16.cav
+/// Lists the machine state by state. A state is what is left of the legal inputs and of the vector of
+/// functions (rule, updates) once the play's current values are put in. Its letters are listed by walking
+/// these two and, along the same input bits, the rules of all goals over the step to come with the columns;
+/// an answer's bits are then put in at once. What follows from equal rests is looked up. \cite ehlers.16.cav
 class Extractor {
  public:
   Extractor(const game::Game& game, const game::Region& region, util::Budget& budget, const Options& options)
@@ -70,6 +74,7 @@ class Extractor {
         input_order_(by_level(game.bits(Owner::Input, true))),
         updates_(game.updates.size()),
         columns_at_(1 + updates_ + 3 * goals_),
+        legal_(*game.manager, ordered_inputs(true), 1),
         state_(*game.manager, ordered_inputs(true), Updates + updates_),
         future_(*game.manager, ordered_inputs(false), columns_at_ + game.definitions.size() + goals_),
         bits_(output_places_.size() + memory_places_.size()),
@@ -77,13 +82,17 @@ class Extractor {
         choices_(output_places_.size()),
         builder_(game.spec->name, game.spec->inputs, spec::controller_outputs(*game.spec)),
         latch_(game.spec->inputs, options.on_violation == OnViolation::Latch),
+        lowest_(lowest(game, Owner::Output)),
+        outputs_(lowest_.size()),
         letter_(lowest(game, Owner::Input)) {
+    const model::Valuation memories = lowest(game, Owner::Memory);
+    lowest_.insert(lowest_.end(), memories.begin(), memories.end());
     prepare_futures();
   }
 
   Extracted run() {
-    StateKey start{initial_future(), 0, 0};
-    states_.number(start);
+    const Future start = initial_future();
+    states_.number({start.legal, start.rule, 0, 0});
     builder_.add_state();
     for (std::uint32_t i = 0; i < states_.size(); ++i) expand(i);
     add_assumptions();
@@ -136,7 +145,7 @@ class Extractor {
     place_of_output_.assign(game_.manager->variable_count(), output_bits_.size());
     for (std::size_t i = 0; i < output_bits_.size(); ++i) place_of_output_[output_bits_[i]] = i;
     for (std::uint32_t goal = 0; goal < goals_; ++goal) {
-      places_of_.push_back({0});
+      places_of_.emplace_back();
       for (const std::uint32_t i : {0U, 1U, 2U})
         places_of_.back().push_back(static_cast<std::uint32_t>(1 + updates_) + 3 * goal + i);
       for (std::uint32_t i = 1; i <= updates_; ++i) places_of_.back().push_back(i);
@@ -146,7 +155,7 @@ class Extractor {
   }
 
   /// The first step as if it came from a state before it: inputs and answers are those of theta.
-  CofactorTable::Id initial_future() {
+  Future initial_future() {
     Bdd legal = game_.initial_inputs();
     Bdd answers = game_.initial_answer() & region_.winning;
     const Bdd chosen = game_.outputs & game_.memories;
@@ -159,9 +168,10 @@ class Extractor {
       legal &= answers.exists(chosen);
     }
     const Bdd never = game_.manager->constant(false);
-    std::vector<Bdd> roots{legal.next(), answers.next(), never, never};
+    const std::vector<Bdd> first{legal.next()};
+    std::vector<Bdd> roots{answers.next(), never, never};
     roots.resize(Updates + updates_, never);
-    return state_.root(roots);
+    return {legal_.root(first), state_.root(roots)};
   }
 
   void expand(std::uint32_t state) {
@@ -173,9 +183,11 @@ class Extractor {
     if (moore_ && !first_step_) {
       const Bdd moves = state_.function(key_.future, Moves);
       choice_ = moves.is_false() ? std::vector<bool>(output_bits_.size()) : moves.pick(output_bits_);
-      choice_number_ = choices_.number(choice_);
+      mode_ = modes_.number(std::array{key_.goal, choices_.number(choice_)}).first;
+    } else {
+      mode_ = first_step_ ? no_mode : key_.goal;
     }
-    walk(0, Letters::root, key_.future);
+    if (!legal_.is_false(key_.legal, 0)) walk(0, Letters::root, {key_.legal, key_.future});
     if (options_.on_violation == OnViolation::Latch)
       latch_.fill(key_.observation, [&](const model::Valuation& letter, const LegalRow& row) {
         count_row();
@@ -197,22 +209,23 @@ class Extractor {
     });
   }
 
-  void walk(std::size_t depth, Letters::Id path, CofactorTable::Id state) {
-    if (state_.is_false(state, Legal)) return;
+  void walk(std::size_t depth, Letters::Id path, const Future& left) {
     if (depth == input_order_.size()) {
-      step(letters_->leaf(path, letter_, builder_), state);
+      step(letters_->leaf(path, letter_, builder_), left.rule);
       return;
     }
     const Place& place = input_places_[input_order_[depth]];
     for (const bool value : {false, true}) {
+      const CofactorTable::Id legal = legal_.step(left.legal, value);
+      if (legal_.is_false(legal, 0)) continue;
       if (value) letter_[place.variable] += place.weight;
-      walk(depth + 1, letters_->step(path, value), state_.step(state, value));
+      walk(depth + 1, letters_->step(path, value), {legal, state_.step(left.rule, value)});
       if (value) letter_[place.variable] -= place.weight;
     }
   }
 
   void step(const Letters::Leaf& letter, CofactorTable::Id left) {
-    const Situation at{left, letter.future, static_cast<std::uint32_t>(key_.goal), choice_number_};
+    const Situation at{left, letter.future, mode_};
     const auto [number, fresh] = situations_.number(at.word());
     if (fresh) reactions_.push_back(react(at));
     Reaction& reaction = reactions_[number];
@@ -226,27 +239,29 @@ class Extractor {
 
   [[nodiscard]] Reaction react(const Situation& at) {
     const Answer answer = answer_to(at);
-    const std::uint32_t columns = columns_of(at.future, answer.bits);
     const End end = end_of(at, answer);
-    const auto [number, added] = output_letters_.number(std::array{answer.bits, columns});
-    if (added) builders_letters_.push_back(builder_.output_letter(output_of(answer.bits, columns)));
-    return {builders_letters_[number], future_of(end), end.goal, answer.waits, Reaction::unknown};
+    return {step_letters_[end.step], future_of(end), end.goal, answer.waits, Reaction::unknown};
   }
 
   /// Where an answer leads, but for what is left of the rules there.
   [[nodiscard]] End end_of(const Situation& at, const Answer& answer) {
-    const std::uint32_t columns = columns_of(at.future, answer.bits);
-    const std::size_t goal = answer.met ? (at.goal + 1) % goals_ : at.goal;
-    return {at.future, answer.bits, goals_after_[columns * goals_ + goal]};
+    const auto [step, added] = steps_.number(std::array{at.future, answer.bits});
+    if (added) add_step(at.future, answer.bits);
+    const std::size_t goal = answer.met ? (key_.goal + 1) % goals_ : key_.goal;
+    return {step, goals_after_[step_columns_[step] * goals_ + goal]};
+  }
+
+  void add_step(CofactorTable::Id future, std::uint32_t bits) {
+    const std::uint32_t columns = evaluate_columns(future, bits);
+    step_columns_.push_back(columns);
+    const auto [number, added] = output_letters_.number(std::array{bits, columns});
+    if (added) builders_letters_.push_back(builder_.output_letter(output_of(bits, columns)));
+    step_letters_.push_back(builders_letters_[number]);
+    step_legal_.push_back(CofactorTable::none);
+    step_rules_.resize(step_rules_.size() + goals_, CofactorTable::none);
   }
 
   /// The definitions and goals that hold after a future's inputs and an answer.
-  [[nodiscard]] std::uint32_t columns_of(CofactorTable::Id future, std::uint32_t bits) {
-    const auto [number, added] = shown_.number(std::array{future, bits});
-    if (added) shown_columns_.push_back(evaluate_columns(future, bits));
-    return shown_columns_[number];
-  }
-
   [[nodiscard]] std::uint32_t evaluate_columns(CofactorTable::Id future, std::uint32_t bits) {
     for (std::size_t i = 0; i < answer_bits_.size(); ++i) assignment_[answer_bits_[i]] = bits_.bit(bits, i);
     std::vector<bool> shown(columns_.bits());
@@ -259,10 +274,15 @@ class Extractor {
   }
 
   /// What is left of the rules of one goal after a step: the key of the state that the step leads to.
-  CofactorTable::Id future_of(const End& end) {
-    const auto [number, added] = ends_.number(end.word());
-    if (added) futures_.push_back(state_.root(future_, end.future, places_of_[end.goal], cube_of(end.bits)));
-    return futures_[number];
+  Future future_of(const End& end) {
+    CofactorTable::Id &legal = step_legal_[end.step], &rule = step_rules_[end.step * goals_ + end.goal];
+    if (rule == CofactorTable::none) {
+      const auto step = steps_[end.step];
+      const Bdd& cube = cube_of(step[1]);
+      if (legal == CofactorTable::none) legal = legal_.root(future_, step[0], legal_place, cube);
+      rule = state_.root(future_, step[0], places_of_[end.goal], cube);
+    }
+    return {legal, rule};
   }
 
   /// As a conjunction of literals, put together from the bottom up. Answers that are met one after the other
@@ -297,10 +317,13 @@ class Extractor {
     return static_cast<std::uint32_t>(goal);
   }
 
+  static StateKey key_of(const Future& future, std::uint32_t goal) {
+    return {future.legal, future.rule, goal, 0};
+  }
+
   [[nodiscard]] std::uint32_t next_state(const Reaction& reaction) {
-    StateKey key{reaction.future, reaction.goal, 0};
-    if (options_.on_violation == OnViolation::Latch &&
-        !valid_inputs_.entails(state_.function(key.future, Legal)))
+    StateKey key = key_of(reaction.future, reaction.goal);
+    if (options_.on_violation == OnViolation::Latch && !valid_inputs_.entails(legal_.function(key.legal, 0)))
       key.observation = latch_.number(letter_);
     const auto [next, added] = states_.number(key);
     if (added) {
@@ -338,12 +361,12 @@ class Extractor {
     };
     for (std::uint32_t i = 0; i < answers.size(); ++i) {
       const End end = end_of(at, answers[i]);
-      const std::uint32_t known = ends_.find(end.word());
-      if (known != util::WordTable::none) compare(i, {futures_[known], end.goal, 0});
+      if (step_rules_[end.step * goals_ + end.goal] != CofactorTable::none)
+        compare(i, key_of(future_of(end), end.goal));
     }
     for (std::uint32_t i = 0; least == States::none && i < answers.size(); ++i) {
       const End end = end_of(at, answers[i]);
-      compare(i, {future_of(end), end.goal, 0});
+      compare(i, key_of(future_of(end), end.goal));
     }
     return best;
   }
@@ -403,15 +426,12 @@ class Extractor {
 
   /// \param bits  Outputs, then memories.
   [[nodiscard]] model::Valuation values_of(std::uint32_t bits) const {
-    model::Valuation values = lowest(game_, Owner::Output);
-    const std::size_t outputs = values.size();
-    const model::Valuation memories = lowest(game_, Owner::Memory);
-    values.insert(values.end(), memories.begin(), memories.end());
+    model::Valuation values = lowest_;
     for (std::size_t i = 0; i < bits_.bits(); ++i) {
       if (!bits_.bit(bits, i)) continue;
       const bool output = i < output_places_.size();
       const Place& place = output ? output_places_[i] : memory_places_[i - output_places_.size()];
-      values[place.variable + (output ? 0 : outputs)] += place.weight;
+      values[place.variable + (output ? 0 : outputs_)] += place.weight;
     }
     return values;
   }
@@ -430,9 +450,11 @@ class Extractor {
   std::vector<std::size_t> input_order_;
   std::size_t updates_;
   std::size_t columns_at_;  ///< In the vectors of future_.
-  CofactorTable state_;     ///< Over X': the future of one state.
+  CofactorTable legal_;     ///< Over X': the legal inputs in one state.
+  CofactorTable state_;     ///< Over X': all else of the future of one state.
   CofactorTable future_;    ///< Over X: the futures of all goals, then definitions and goals without Next.
-  /// By goal: where in a vector of future_ the functions of a state stand.
+  static constexpr std::array<std::uint32_t, 1> legal_place{0};  ///< In a vector of future_.
+  /// By goal: where in a vector of future_ the other functions of a state stand.
   std::vector<std::vector<std::uint32_t>> places_of_;
   std::optional<Letters> letters_;
   std::vector<Var> output_bits_, memory_bits_;  ///< Next.
@@ -446,20 +468,24 @@ class Extractor {
   Bdd valid_inputs_;
   std::vector<bool> assignment_;       ///< By variable, for evaluation.
   BitWords bits_, columns_, choices_;  ///< Of answers; of definitions and goals; of Moore's outputs.
-  util::WordTable shown_{2};           ///< A future's inputs and an answer, and by number:
-  std::vector<std::uint32_t> shown_columns_;
-  std::vector<std::uint32_t> goals_after_;  ///< By columns and goal.
-  util::WordTable ends_{3};                 ///< Ends, and by number:
-  std::vector<CofactorTable::Id> futures_;
-  std::vector<Answers> answers_;  ///< By what is left of a state.
+  util::WordTable steps_{2};           ///< A future's inputs and an answer, and by number:
+  std::vector<std::uint32_t> step_columns_;
+  std::vector<std::uint32_t> step_letters_;    ///< The builder's.
+  std::vector<CofactorTable::Id> step_legal_;  ///< The inputs that may come then, or none yet.
+  std::vector<CofactorTable::Id> step_rules_;  ///< By step and goal: what is left of the rule, or none yet.
+  std::vector<std::uint32_t> goals_after_;     ///< By columns and goal.
+  std::vector<Answers> answers_;               ///< By what is left of a state.
   std::vector<Answer> answer_list_;
-  util::WordTable situations_{4};  ///< Situations, and by number:
+  util::WordTable modes_{2};       ///< Moore: goals and outputs that are chosen before the observation comes.
+  util::WordTable situations_{3};  ///< Situations, and by number:
   std::vector<Reaction> reactions_;
   States states_;
   util::WordTable output_letters_{2};  ///< An answer and the columns that go with it, and by number:
   std::vector<std::uint32_t> builders_letters_;
   model::MealyBuilder builder_;
   LatchRows latch_;
+  model::Valuation lowest_;  ///< Of outputs, then memories,
+  std::size_t outputs_;      ///< of which this many are outputs.
   std::uint64_t rows_ = 0;
   bool relies_ = false;
 
@@ -468,7 +494,7 @@ class Extractor {
   StateKey key_;
   bool first_step_ = true;
   std::vector<bool> choice_;  ///< Moore: its answer.
-  std::uint32_t choice_number_ = 0;
+  std::uint32_t mode_ = 0;    ///< Its number in modes_; where no output is chosen before, the goal.
   model::Valuation letter_;
 };
 

@@ -16,14 +16,15 @@ using bdd::Bdd;
 /// no single answer always meets or approaches.
 class RuleMaker {
  public:
-  RuleMaker(const game::Game& game, const game::Region& region, util::Budget& budget, std::size_t goal)
+  /// \param safe  rho_s.
+  RuleMaker(const game::Game& game, const game::Region& region, util::Budget& budget, std::size_t goal,
+            Bdd safe)
       : game_(game),
         region_(region),
         budget_(budget),
         goal_(goal),
         never_(game.manager->constant(false)),
-        safe_(game.manager->constant(true)) {
-    for (const game::Part& part : game.sys_safety) safe_ &= part.relation;
+        safe_(std::move(safe)) {
     meet_ = (safe_ & game.sys_justice[goal].relation).and_next(region.winning);
   }
 
@@ -112,7 +113,7 @@ class RuleMaker {
   util::Budget& budget_;
   std::size_t goal_;
   Bdd never_;
-  Bdd safe_;  ///< rho_s. Where it starts is not said: together with where it ends that makes large diagrams.
+  Bdd safe_;  ///< Where it starts is not said: together with where it ends that makes large diagrams.
   Bdd meet_;
 };
 
@@ -120,8 +121,10 @@ class RuleMaker {
 
 std::vector<Rule> make_rules(const game::Game& game, const game::Region& region, util::Budget& budget) {
   std::vector<Rule> rules;
+  Bdd safe = game.manager->constant(true);
+  for (const game::Part& part : game.sys_safety) safe &= part.relation;
   for (std::size_t goal = 0; goal < game.sys_justice.size(); ++goal) {
-    RuleMaker maker(game, region, budget, goal);
+    RuleMaker maker(game, region, budget, goal, safe);
     rules.push_back(game.spec->timing == spec::Timing::Moore ? maker.moore() : maker.mealy());
   }
   return rules;

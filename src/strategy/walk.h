@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,16 +17,22 @@ using bdd::CofactorTable;
 struct Situation {
   CofactorTable::Id left;    ///< Of the state, once the observation is put in.
   CofactorTable::Id future;  ///< Of the step to come, once the observation is put in.
-  std::uint32_t goal;
-  std::uint32_t choice;  ///< What was chosen before the observation came, by number.
+  std::uint32_t mode;        ///< The goal, and what was chosen before the observation came, by number.
 
-  [[nodiscard]] std::array<std::uint32_t, 4> word() const { return {left, future, goal, choice}; }
+  [[nodiscard]] std::array<std::uint32_t, 3> word() const { return {left, future, mode}; }
+};
+
+/// What is left of the functions of a state's future: the inputs that may come, and all others. They are
+/// apart since many states share one of the two alone.
+struct Future {
+  CofactorTable::Id legal = 0;
+  CofactorTable::Id rule = 0;
 };
 
 /// What follows from a situation.
 struct Reaction {
-  std::uint32_t output = 0;      ///< The builder's number of the letter.
-  CofactorTable::Id future = 0;  ///< The next state's, with its goal.
+  std::uint32_t output = 0;  ///< The builder's number of the letter.
+  Future future;             ///< The next state's, with its goal.
   std::uint32_t goal = 0;
   bool waits = false;
   std::uint32_t next = unknown;  ///< The state, where no observation belongs to it.
@@ -49,13 +54,10 @@ struct Answers {
   std::uint32_t count = 0;  ///< 0: not listed yet.
 };
 
-/// A step by its inputs and the answer, and the goal that is next.
+/// A step by number, and the goal that is next.
 struct End {
-  CofactorTable::Id future;  ///< Of all goals, the inputs put in.
-  std::uint32_t bits;
+  std::uint32_t step;
   std::uint32_t goal;
-
-  [[nodiscard]] std::array<std::uint32_t, 3> word() const { return {future, bits, goal}; }
 };
 
 /// Words of bits, numbered in the order of their discovery.
@@ -95,28 +97,33 @@ class Letters {
 
   /// \param start  What is left of all goals' rules before any input bit has its value.
   Letters(CofactorTable& futures, CofactorTable::Id start)
-      : futures_(futures), nodes_{Node{{0, 0}, start, {}}} {}
+      : futures_(futures), nodes_{Node{.future = start}} {}
 
   [[nodiscard]] Id step(Id path, bool value) {
     const Id known = nodes_[path].next[value ? 1 : 0];
-    if (known != root) return known;
-    const auto added = static_cast<Id>(nodes_.size());
-    nodes_.push_back({{0, 0}, futures_.step(nodes_[path].future, value), {}});
-    nodes_[path].next[value ? 1 : 0] = added;
-    return added;
+    return known != root ? known : add(path, value);
   }
   [[nodiscard]] Leaf leaf(Id path, const model::Valuation& letter, model::MealyBuilder& builder) {
     Node& node = nodes_[path];
-    if (!node.letter) node.letter = builder.input_letter(letter);
-    return {*node.letter, node.future};
+    if (node.letter == unknown) node.letter = builder.input_letter(letter);
+    return {node.letter, node.future};
   }
 
  private:
+  static constexpr std::uint32_t unknown = UINT32_MAX;
   struct Node {
-    std::array<Id, 2> next;
+    std::array<Id, 2> next{root, root};
     CofactorTable::Id future;
-    std::optional<std::uint32_t> letter;
+    std::uint32_t letter = unknown;
   };
+
+  Id add(Id path, bool value) {
+    const auto added = static_cast<Id>(nodes_.size());
+    nodes_.push_back({.future = futures_.step(nodes_[path].future, value)});
+    nodes_[path].next[value ? 1 : 0] = added;
+    return added;
+  }
+
   CofactorTable& futures_;
   std::vector<Node> nodes_;
 };

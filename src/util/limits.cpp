@@ -10,7 +10,7 @@ namespace heed::util {
 namespace {
 /// What may be added without asking the system, which takes some microseconds: far below how exactly a limit
 /// is kept.
-constexpr std::size_t too_little_to_ask = std::size_t{1} << 20;
+constexpr std::size_t too_little_to_ask = std::size_t{1} << 23;
 }  // namespace
 
 Budget::Budget(const Limits& limits) : limits_(limits), start_(std::chrono::steady_clock::now()) {}

@@ -2,6 +2,11 @@
 
 namespace heed::util {
 
+namespace {
+/// Places up to which a table grows by four: small ones cost little and grow often.
+constexpr std::size_t most_for_four = std::size_t{1} << 16;
+}  // namespace
+
 WordTable::Number WordTable::add(std::span<const std::uint32_t> word, std::size_t place) {
   const auto added = static_cast<Number>(size_++);
   letters_.insert(letters_.end(), word.begin(), word.end());
@@ -11,7 +16,7 @@ WordTable::Number WordTable::add(std::span<const std::uint32_t> word, std::size_
 }
 
 void WordTable::grow() {
-  std::vector<Number> wider(2 * places_.size(), none);
+  std::vector<Number> wider((places_.size() < most_for_four ? 4 : 2) * places_.size(), none);
   const std::size_t mask = wider.size() - 1;
   for (Number word = 0; word < size_; ++word) {
     std::size_t place = hash_of((*this)[word]) & mask;

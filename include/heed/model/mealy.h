@@ -5,6 +5,7 @@
 #include <heed/util/source.h>
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -68,7 +69,10 @@ class MealyBuilder {
   void add(std::uint32_t state, const Valuation& input, const Valuation& output, std::uint32_t next,
            bool fallback = false);
   /// The same with letters that were interned before: for rows whose letters repeat.
-  void add(std::uint32_t state, const Mealy::Transition& row) { rows_.push_back({state, row}); }
+  void add(std::uint32_t state, const Mealy::Transition& row) {
+    if (runs_.empty() || runs_.back().state != state) runs_.push_back({state, rows_.size()});
+    rows_.push_back(row);
+  }
   /// Numbers a letter, the same for equal valuations; valid for add() only.
   [[nodiscard]] std::uint32_t input_letter(const Valuation& letter);
   [[nodiscard]] std::uint32_t output_letter(const Valuation& letter);
@@ -78,17 +82,26 @@ class MealyBuilder {
   [[nodiscard]] Mealy finish();
 
  private:
-  struct Row {
+  /// Rows of one state that were added one after the other.
+  struct Run {
     std::uint32_t state;
-    Mealy::Transition transition;
+    std::size_t begin;
   };
   Mealy machine_;
-  std::vector<Row> rows_;
-  std::vector<Valuation> input_letters_, output_letters_;
-  std::vector<std::vector<std::uint32_t>> input_index_, output_index_;  ///< Open hashing of letters.
+  std::deque<Mealy::Transition> rows_;  ///< Grows without moving what is there.
+  std::vector<Run> runs_;
+  /// Numbered in the order of their discovery; open addressing, at most half full.
+  struct Letters {
+    static constexpr std::uint32_t free = UINT32_MAX;
+    std::vector<Valuation> letters;
+    std::vector<std::uint32_t> places;
+
+    std::uint32_t number(const Valuation& letter);
+    [[nodiscard]] std::size_t place_of(const Valuation& letter) const;
+    void grow();
+  };
+  Letters input_letters_, output_letters_;
   std::uint32_t states_ = 0;
-  static std::uint32_t intern(std::vector<Valuation>& letters, std::vector<std::vector<std::uint32_t>>& index,
-                              const Valuation& letter);
 };
 
 /// The smallest machine with the same answers from state 0, by partition refinement; unreachable states go

@@ -14,7 +14,8 @@ namespace heed::util {
 
 /// Words of one length, numbered from 0 in the order of their discovery: equal words are one number. All of
 /// them lie in one block of memory, without an allocation each; nothing depends on an order of hashing.
-/// Memory: 4 bytes a letter, and 8 to 16 a word for finding it. \pre fewer than 2^32 - 1 words
+/// Memory: 4 bytes a letter, and 8 to 16 a word for finding it (up to 32 in a small table). \pre fewer than
+/// 2^32 - 1 words
 class WordTable {
  public:
   using Number = std::uint32_t;
@@ -51,7 +52,8 @@ class WordTable {
  private:
   static constexpr std::size_t initial_places = 64;
 
-  /// One multiplication for two letters, and mixing at the end: words are short and asked for often.
+  /// One multiplication for two letters: words are short and asked for often. The upper half of each product,
+  /// which all letters reach, is folded into the lower half, which a place is taken from.
   template <std::size_t Length>
   static std::uint64_t hash_of(std::span<const std::uint32_t, Length> word) {
     std::uint64_t hash = 0;
@@ -62,7 +64,7 @@ class WordTable {
     };
     for (; i + 1 < word.size(); i += 2) take(std::uint64_t{word[i]} << 32 | word[i + 1]);
     if (i < word.size()) take(word[i]);
-    return mix(hash, 0);
+    return hash;
   }
 
   /// Where \p word stands or would stand.
