@@ -19,19 +19,24 @@ void ComputedCache::clear() {
   std::fill(sets_.begin(), sets_.end(), Set{});
 }
 
+// Without branches, since what lives is unpredictable. Places that hold nothing come out as they were:
+// constants live.
 void ComputedCache::sweep(const std::vector<std::uint64_t>& marked) {
   const std::uint64_t* const marks = marked.data();
   const auto lives = [marks](std::uint32_t edge) {
     const std::uint32_t index = (edge & operand_mask) >> 1;
-    return ((marks[index >> 6] >> (index & 63U)) & 1U) != 0;
+    return static_cast<std::uint32_t>(marks[index >> 6] >> (index & 63U)) & 1U;
   };
   const auto clean = [&](Entry& entry) {
-    if (entry.f == 0 && entry.g == 0) return;
     // A composition's second operand is the number of its substitution, whose functions may be gone.
-    if (lives(entry.result) && lives(entry.f) && entry.h != code(Binary::Compose) && lives(entry.g) &&
-        (entry.h >= binary_mark || lives(entry.h)))
-      return;
-    entry = {};
+    const std::uint32_t composed = entry.h == code(Binary::Compose) ? 1U : 0U;
+    const std::uint32_t third = entry.h >= binary_mark ? 0U : entry.h, second = composed != 0 ? 0U : entry.g;
+    const std::uint32_t keep =
+        0U - (lives(entry.result) & lives(entry.f) & lives(second) & lives(third) & (composed ^ 1U));
+    entry.f &= keep;
+    entry.g &= keep;
+    entry.h &= keep;
+    entry.result &= keep;
   };
   for (Set& place : sets_) {
     clean(place.newer);
