@@ -2,6 +2,7 @@
 
 #include "latch.h"
 #include "states.h"
+#include "steps.h"
 #include "symbolic.h"
 #include "walk.h"
 
@@ -19,10 +20,6 @@ namespace {
 using bdd::Bdd;
 using bdd::Var;
 using game::Owner;
-
-/// Functions of a state's future besides the legal inputs, in this order; the updates of the memories' bits
-/// follow.
-enum Slot : std::size_t { Moves, Waits, Met, Updates };
 
 /// How many answers are looked at for one that leads to a state that is there already.
 constexpr std::size_t most_answers = 16;
@@ -71,14 +68,16 @@ class Extractor {
         input_places_(places(game, Owner::Input)),
         output_places_(places(game, Owner::Output)),
         memory_places_(places(game, Owner::Memory)),
-        input_order_(by_level(game.bits(Owner::Input, true))),
-        updates_(game.updates.size()),
-        columns_at_(1 + updates_ + 3 * goals_),
-        legal_(*game.manager, ordered_inputs(true), 1),
-        state_(*game.manager, ordered_inputs(true), Updates + updates_),
-        future_(*game.manager, ordered_inputs(false), columns_at_ + game.definitions.size() + goals_),
-        bits_(output_places_.size() + memory_places_.size()),
-        columns_(game.definitions.size() + goals_),
+        input_order_(by_level(game, game.bits(Owner::Input, true))),
+        steps_(game, region, budget),
+        legal_(steps_.legal()),
+        rules_(steps_.rules()),
+        letters_(steps_.futures(), steps_.root()),
+        output_bits_(game.bits(Owner::Output, true)),
+        memory_bits_(game.bits(Owner::Memory, true)),
+        place_of_output_(game.manager->variable_count(), output_bits_.size()),
+        valid_inputs_(game.valid.exists(game.outputs & game.memories).next()),
+        assignment_(game.manager->variable_count()),
         choices_(output_places_.size()),
         builder_(game.spec->name, game.spec->inputs, spec::controller_outputs(*game.spec)),
         latch_(game.spec->inputs, options.on_violation == OnViolation::Latch),
@@ -87,7 +86,7 @@ class Extractor {
         letter_(lowest(game, Owner::Input)) {
     const model::Valuation memories = lowest(game, Owner::Memory);
     lowest_.insert(lowest_.end(), memories.begin(), memories.end());
-    prepare_futures();
+    for (std::size_t i = 0; i < output_bits_.size(); ++i) place_of_output_[output_bits_[i]] = i;
   }
 
   Extracted run() {
@@ -104,56 +103,6 @@ class Extractor {
   }
 
  private:
-  /// Places in \p bits from the top of the diagrams down. In this order a step of the walk touches few nodes.
-  [[nodiscard]] std::vector<std::size_t> by_level(const std::vector<Var>& bits) const {
-    std::vector<std::size_t> order(bits.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return game_.manager->level(bits[a]) < game_.manager->level(bits[b]);
-    });
-    return order;
-  }
-
-  [[nodiscard]] std::vector<Var> ordered_inputs(bool next) const {
-    const std::vector<Var> bits = game_.bits(Owner::Input, next);
-    std::vector<Var> order;
-    order.reserve(bits.size());
-    for (const std::size_t i : input_order_) order.push_back(bits[i]);
-    return order;
-  }
-
-  void prepare_futures() {
-    const Bdd never = game_.manager->constant(false);
-    std::vector<Bdd> roots{legal_inputs(game_)}, columns = game_.definitions;
-    roots.insert(roots.end(), game_.updates.begin(), game_.updates.end());
-    const std::vector<Rule> rules = make_rules(game_, region_, budget_);
-    for (std::size_t goal = 0; goal < goals_; ++goal) {
-      const game::Justice& justice = game_.sys_justice[goal];
-      roots.insert(roots.end(),
-                   {rules[goal].moves, rules[goal].waits, justice.step ? justice.relation : never});
-      columns.push_back(justice.step ? never : justice.relation);
-    }
-    roots.insert(roots.end(), columns.begin(), columns.end());
-    letters_.emplace(future_, future_.root(roots));
-    output_bits_ = game_.bits(Owner::Output, true);
-    memory_bits_ = game_.bits(Owner::Memory, true);
-    for (const Owner owner : {Owner::Output, Owner::Memory})
-      for (const Var variable : game_.bits(owner, false)) answer_bits_.push_back(variable);
-    answer_order_ = by_level(answer_bits_);
-    std::reverse(answer_order_.begin(), answer_order_.end());
-    cube_.push_back(game_.manager->constant(true));
-    place_of_output_.assign(game_.manager->variable_count(), output_bits_.size());
-    for (std::size_t i = 0; i < output_bits_.size(); ++i) place_of_output_[output_bits_[i]] = i;
-    for (std::uint32_t goal = 0; goal < goals_; ++goal) {
-      places_of_.emplace_back();
-      for (const std::uint32_t i : {0U, 1U, 2U})
-        places_of_.back().push_back(static_cast<std::uint32_t>(1 + updates_) + 3 * goal + i);
-      for (std::uint32_t i = 1; i <= updates_; ++i) places_of_.back().push_back(i);
-    }
-    assignment_.resize(game_.manager->variable_count());
-    valid_inputs_ = game_.valid.exists(game_.outputs & game_.memories).next();
-  }
-
   /// The first step as if it came from a state before it: inputs and answers are those of theta.
   Future initial_future() {
     Bdd legal = game_.initial_inputs();
@@ -170,8 +119,8 @@ class Extractor {
     const Bdd never = game_.manager->constant(false);
     const std::vector<Bdd> first{legal.next()};
     std::vector<Bdd> roots{answers.next(), never, never};
-    roots.resize(Updates + updates_, never);
-    return {legal_.root(first), state_.root(roots)};
+    roots.resize(rules_.width(), never);
+    return {legal_.root(first), rules_.root(roots)};
   }
 
   void expand(std::uint32_t state) {
@@ -181,7 +130,7 @@ class Extractor {
     first_step_ = state == 0;
     latch_.clear();
     if (moore_ && !first_step_) {
-      const Bdd moves = state_.function(key_.future, Moves);
+      const Bdd moves = rules_.function(key_.future, Moves);
       choice_ = moves.is_false() ? std::vector<bool>(output_bits_.size()) : moves.pick(output_bits_);
       mode_ = modes_.number(std::array{key_.goal, choices_.number(choice_)}).first;
     } else {
@@ -211,7 +160,7 @@ class Extractor {
 
   void walk(std::size_t depth, Letters::Id path, const Future& left) {
     if (depth == input_order_.size()) {
-      step(letters_->leaf(path, letter_, builder_), left.rule);
+      step(letters_.leaf(path, letter_, builder_), left.rule);
       return;
     }
     const Place& place = input_places_[input_order_[depth]];
@@ -219,7 +168,7 @@ class Extractor {
       const CofactorTable::Id legal = legal_.step(left.legal, value);
       if (legal_.is_false(legal, 0)) continue;
       if (value) letter_[place.variable] += place.weight;
-      walk(depth + 1, letters_->step(path, value), {legal, state_.step(left.rule, value)});
+      walk(depth + 1, letters_.step(path, value), {legal, rules_.step(left.rule, value)});
       if (value) letter_[place.variable] -= place.weight;
     }
   }
@@ -240,81 +189,28 @@ class Extractor {
   [[nodiscard]] Reaction react(const Situation& at) {
     const Answer answer = answer_to(at);
     const End end = end_of(at, answer);
-    return {step_letters_[end.step], future_of(end), end.goal, answer.waits, Reaction::unknown};
+    return {step_letters_[end.step], steps_.leads_to(end), end.goal, answer.waits, Reaction::unknown};
   }
 
   /// Where an answer leads, but for what is left of the rules there.
   [[nodiscard]] End end_of(const Situation& at, const Answer& answer) {
-    const auto [step, added] = steps_.number(std::array{at.future, answer.bits});
-    if (added) add_step(at.future, answer.bits);
-    const std::size_t goal = answer.met ? (key_.goal + 1) % goals_ : key_.goal;
-    return {step, goals_after_[step_columns_[step] * goals_ + goal]};
+    const auto [step, added] = steps_.number(at.future, answer.bits);
+    if (added) add_letter(step, answer.bits);
+    return {step, steps_.goal_after(step, answer.met ? (key_.goal + 1) % goals_ : key_.goal)};
   }
 
-  void add_step(CofactorTable::Id future, std::uint32_t bits) {
-    const std::uint32_t columns = evaluate_columns(future, bits);
-    step_columns_.push_back(columns);
+  void add_letter(std::uint32_t step, std::uint32_t bits) {
+    const std::uint32_t columns = steps_.columns(step);
     const auto [number, added] = output_letters_.number(std::array{bits, columns});
     if (added) builders_letters_.push_back(builder_.output_letter(output_of(bits, columns)));
     step_letters_.push_back(builders_letters_[number]);
-    step_legal_.push_back(CofactorTable::none);
-    step_rules_.resize(step_rules_.size() + goals_, CofactorTable::none);
-  }
-
-  /// The definitions and goals that hold after a future's inputs and an answer.
-  [[nodiscard]] std::uint32_t evaluate_columns(CofactorTable::Id future, std::uint32_t bits) {
-    for (std::size_t i = 0; i < answer_bits_.size(); ++i) assignment_[answer_bits_[i]] = bits_.bit(bits, i);
-    std::vector<bool> shown(columns_.bits());
-    for (std::size_t i = 0; i < shown.size(); ++i)
-      shown[i] = future_.evaluate(future, columns_at_ + i, assignment_);
-    const std::uint32_t columns = columns_.number(shown);
-    if (goals_after_.size() < columns_.size() * goals_)
-      for (std::size_t goal = 0; goal < goals_; ++goal) goals_after_.push_back(next_goal(goal, shown));
-    return columns;
-  }
-
-  /// What is left of the rules of one goal after a step: the key of the state that the step leads to.
-  Future future_of(const End& end) {
-    CofactorTable::Id &legal = step_legal_[end.step], &rule = step_rules_[end.step * goals_ + end.goal];
-    if (rule == CofactorTable::none) {
-      const auto step = steps_[end.step];
-      const Bdd& cube = cube_of(step[1]);
-      if (legal == CofactorTable::none) legal = legal_.root(future_, step[0], legal_place, cube);
-      rule = state_.root(future_, step[0], places_of_[end.goal], cube);
-    }
-    return {legal, rule};
-  }
-
-  /// As a conjunction of literals, put together from the bottom up. Answers that are met one after the other
-  /// often differ near the top alone.
-  [[nodiscard]] const Bdd& cube_of(std::uint32_t bits) {
-    std::size_t from = cube_.size() - 1;
-    for (std::size_t i = 0; i < from; ++i)
-      if (bits_.bit(bits, answer_order_[i]) != bits_.bit(cube_bits_, answer_order_[i])) from = i;
-    for (std::size_t i = from; i < answer_order_.size(); ++i) {
-      const std::size_t k = answer_order_[i];
-      const Bdd literal = game_.manager->literal(answer_bits_[k], bits_.bit(bits, k));
-      if (cube_.size() == i + 1) cube_.emplace_back();
-      cube_[i + 1] = literal & cube_[i];
-    }
-    cube_bits_ = bits;
-    return cube_.back();
   }
 
   [[nodiscard]] model::Valuation output_of(std::uint32_t bits, std::uint32_t columns) const {
     model::Valuation output = values_of(bits);
     for (std::size_t i = 0; i < game_.definitions.size(); ++i)
-      output.push_back(columns_.bit(columns, i) ? 1 : 0);
+      output.push_back(steps_.column(columns, i) ? 1 : 0);
     return output;
-  }
-
-  /// Goals that the new state meets are done; one that all states meet is as good as any.
-  [[nodiscard]] std::uint32_t next_goal(std::size_t goal, const std::vector<bool>& shown) const {
-    for (std::size_t i = 0; i < goals_; ++i) {
-      const std::size_t candidate = (goal + i) % goals_;
-      if (!shown[game_.definitions.size() + candidate]) return static_cast<std::uint32_t>(candidate);
-    }
-    return static_cast<std::uint32_t>(goal);
   }
 
   static StateKey key_of(const Future& future, std::uint32_t goal) {
@@ -361,12 +257,11 @@ class Extractor {
     };
     for (std::uint32_t i = 0; i < answers.size(); ++i) {
       const End end = end_of(at, answers[i]);
-      if (step_rules_[end.step * goals_ + end.goal] != CofactorTable::none)
-        compare(i, key_of(future_of(end), end.goal));
+      if (steps_.is_known(end)) compare(i, key_of(steps_.leads_to(end), end.goal));
     }
     for (std::uint32_t i = 0; least == States::none && i < answers.size(); ++i) {
       const End end = end_of(at, answers[i]);
-      compare(i, key_of(future_of(end), end.goal));
+      compare(i, key_of(steps_.leads_to(end), end.goal));
     }
     return best;
   }
@@ -375,14 +270,14 @@ class Extractor {
   [[nodiscard]] Answers list_answers(CofactorTable::Id state) {
     const std::size_t most = options_.on_violation == OnViolation::Latch ? 1 : most_answers;
     const auto first = static_cast<std::uint32_t>(answer_list_.size());
-    if (state_.literals(state, Moves, literals_) && fills_outputs(literals_)) {
+    if (rules_.literals(state, Moves, literals_) && fills_outputs(literals_)) {
       answer_list_.push_back(later_answer(state, sole_));
       return {first, 1};
     }
     std::vector<bdd::Literal> memories;
     for (std::size_t i = 0; i < memory_bits_.size(); ++i)
-      memories.push_back({memory_bits_[i], state_.is_true(state, Updates + i)});
-    bdd::Assignments moves(state_.function(state, Moves).cofactor(game_.manager->cube(memories)),
+      memories.push_back({memory_bits_[i], rules_.is_true(state, Updates + i)});
+    bdd::Assignments moves(rules_.function(state, Moves).cofactor(game_.manager->cube(memories)),
                            output_bits_);
     while (answer_list_.size() < first + most && moves.next())
       answer_list_.push_back(later_answer(state, {moves.values().begin(), moves.values().end()}));
@@ -407,28 +302,28 @@ class Extractor {
   [[nodiscard]] Answer first_answer(CofactorTable::Id state) {
     std::vector<Var> bits = memory_bits_;
     bits.insert(bits.end(), output_bits_.begin(), output_bits_.end());
-    std::vector<bool> picked = state_.function(state, Moves).pick(bits);
+    std::vector<bool> picked = rules_.function(state, Moves).pick(bits);
     std::rotate(picked.begin(), picked.begin() + static_cast<std::ptrdiff_t>(memory_bits_.size()),
                 picked.end());
-    return {bits_.number(picked), false, false};
+    return {steps_.number_answer(picked), false, false};
   }
 
   [[nodiscard]] Answer later_answer(CofactorTable::Id state, std::vector<bool> bits) {
     for (std::size_t i = 0; i < output_bits_.size(); ++i) assignment_[output_bits_[i]] = bits[i];
     for (std::size_t i = 0; i < memory_bits_.size(); ++i) {
-      bits.push_back(state_.is_true(state, Updates + i));
+      bits.push_back(rules_.is_true(state, Updates + i));
       assignment_[memory_bits_[i]] = bits.back();
     }
-    const bool waits = state_.evaluate(state, Waits, assignment_),
-               met = state_.evaluate(state, Met, assignment_);
-    return {bits_.number(bits), waits, met};
+    const bool waits = rules_.evaluate(state, Waits, assignment_),
+               met = rules_.evaluate(state, Met, assignment_);
+    return {steps_.number_answer(bits), waits, met};
   }
 
   /// \param bits  Outputs, then memories.
   [[nodiscard]] model::Valuation values_of(std::uint32_t bits) const {
     model::Valuation values = lowest_;
-    for (std::size_t i = 0; i < bits_.bits(); ++i) {
-      if (!bits_.bit(bits, i)) continue;
+    for (std::size_t i = 0; i < steps_.answers().bits(); ++i) {
+      if (!steps_.answers().bit(bits, i)) continue;
       const bool output = i < output_places_.size();
       const Place& place = output ? output_places_[i] : memory_places_[i - output_places_.size()];
       values[place.variable + (output ? 0 : outputs_)] += place.weight;
@@ -448,33 +343,19 @@ class Extractor {
   std::size_t goals_;
   std::vector<Place> input_places_, output_places_, memory_places_;
   std::vector<std::size_t> input_order_;
-  std::size_t updates_;
-  std::size_t columns_at_;  ///< In the vectors of future_.
-  CofactorTable legal_;     ///< Over X': the legal inputs in one state.
-  CofactorTable state_;     ///< Over X': all else of the future of one state.
-  CofactorTable future_;    ///< Over X: the futures of all goals, then definitions and goals without Next.
-  static constexpr std::array<std::uint32_t, 1> legal_place{0};  ///< In a vector of future_.
-  /// By goal: where in a vector of future_ the other functions of a state stand.
-  std::vector<std::vector<std::uint32_t>> places_of_;
-  std::optional<Letters> letters_;
+  Steps steps_;
+  CofactorTable& legal_;  ///< Of steps_: legal inputs,
+  CofactorTable& rules_;  ///< and all else of the future of one state.
+  Letters letters_;
   std::vector<Var> output_bits_, memory_bits_;  ///< Next.
-  std::vector<Var> answer_bits_;                ///< Current: outputs, then memories.
-  std::vector<std::size_t> answer_order_;       ///< Places in answer_bits_, from the bottom up.
-  std::vector<Bdd> cube_;                       ///< By length, of the answer that was last asked for:
-  std::uint32_t cube_bits_ = 0;
-  std::vector<std::size_t> place_of_output_;  ///< By variable: in output_bits_, or its size.
-  std::vector<bdd::Literal> literals_;        ///< Of the diagram that is looked at.
-  std::vector<bool> sole_;                    ///< The outputs of an answer without choice.
+  std::vector<std::size_t> place_of_output_;    ///< By variable: in output_bits_, or its size.
+  std::vector<bdd::Literal> literals_;          ///< Of the diagram that is looked at.
+  std::vector<bool> sole_;                      ///< The outputs of an answer without choice.
   Bdd valid_inputs_;
-  std::vector<bool> assignment_;       ///< By variable, for evaluation.
-  BitWords bits_, columns_, choices_;  ///< Of answers; of definitions and goals; of Moore's outputs.
-  util::WordTable steps_{2};           ///< A future's inputs and an answer, and by number:
-  std::vector<std::uint32_t> step_columns_;
-  std::vector<std::uint32_t> step_letters_;    ///< The builder's.
-  std::vector<CofactorTable::Id> step_legal_;  ///< The inputs that may come then, or none yet.
-  std::vector<CofactorTable::Id> step_rules_;  ///< By step and goal: what is left of the rule, or none yet.
-  std::vector<std::uint32_t> goals_after_;     ///< By columns and goal.
-  std::vector<Answers> answers_;               ///< By what is left of a state.
+  std::vector<bool> assignment_;             ///< By variable, for evaluation.
+  BitWords choices_;                         ///< Moore's outputs.
+  std::vector<std::uint32_t> step_letters_;  ///< The builder's, by step.
+  std::vector<Answers> answers_;             ///< By what is left of a state.
   std::vector<Answer> answer_list_;
   util::WordTable modes_{2};       ///< Moore: goals and outputs that are chosen before the observation comes.
   util::WordTable situations_{3};  ///< Situations, and by number:

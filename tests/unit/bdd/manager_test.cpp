@@ -110,6 +110,51 @@ TEST(Manager, CountsBeyondWordsAndDoubles) {
   EXPECT_EQ((!one).exists(wide.cube(all)), wide.constant(true));
 }
 
+// Up to some hundreds of variables densities are doubles, above that they have exponents of their own.
+TEST(Manager, CountsAlikeHoweverManyVariablesThereAre) {
+  for (const int variables : {40, 899, 900, 901, 1100}) {
+    Manager manager;
+    add_variables(manager, variables);
+    const Bdd all = queens(manager, 6);
+    EXPECT_EQ(all.count(40), 64) << variables;
+    EXPECT_EQ((!all).count(40), std::ldexp(1, 40) - 64) << variables;
+    EXPECT_EQ(all.count(36 + 64), std::ldexp(4, 64)) << variables;
+  }
+}
+
+// Reading writes into the nodes' links for its time.
+TEST(Manager, IsAsBeforeOnceADiagramIsRead) {
+  Manager manager;
+  add_variables(manager, 36);
+  const Bdd all = queens(manager, 6), some = all | manager.variable(7), none = manager.constant(false);
+  const Bdd several[] = {!some, all, none, all};
+  EXPECT_EQ(manager.node_count(several), manager.node_count(several));
+  EXPECT_EQ(none.node_count(), 1U);
+  EXPECT_TRUE(none.support_variables().empty());
+  EXPECT_EQ(all.support_variables().size(), 36U);
+  EXPECT_EQ(some.count_decimal(36), "34359738368");
+  EXPECT_EQ(serialise(several), serialise(several));
+  EXPECT_TRUE(manager.consistent());
+  EXPECT_EQ(queens(manager, 6), all);
+  manager.collect_garbage();
+  EXPECT_TRUE(manager.consistent());
+  EXPECT_EQ(all | manager.variable(7), some);
+}
+
+TEST(Manager, TheFirstCacheIsWithinItsBounds) {
+  ManagerOptions options;
+  options.initial_cache_bytes = std::size_t{1} << 24;
+  options.max_cache_bytes = std::size_t{1} << 14;
+  Manager small(options);
+  EXPECT_LT(small.statistics().memory_bytes, std::size_t{3} << 20);
+  options.initial_cache_bytes = 0;
+  Manager none(options);
+  for (Manager* manager : {&small, &none}) {
+    add_variables(*manager, 36);
+    EXPECT_EQ(queens(*manager, 6).count(36), 4);
+  }
+}
+
 TEST(Manager, PairsStandTogether) {
   Manager manager;
   const Var single = manager.new_variable();

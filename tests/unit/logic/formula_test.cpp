@@ -117,6 +117,16 @@ TEST(Formula, PostorderListsOperandsFirst) {
   EXPECT_EQ(postorder(root).back().identity(), root.identity());
 }
 
+TEST(Formula, PostorderListsConstantsToo) {
+  const Formula root = Formula::make(Op::And, {Formula(), a, Formula(), Formula::make(Op::Not, {Formula()})});
+  const std::vector<Formula> nodes = postorder(root);
+  ASSERT_EQ(nodes.size(), 4U);
+  EXPECT_EQ(nodes[0], Formula());
+  EXPECT_EQ(nodes[1], a);
+  EXPECT_EQ(nodes[3], root);
+  EXPECT_EQ(postorder(Formula()).size(), 1U);
+}
+
 TEST(Formula, TwoThreadsMayDropTheSameFormula) {
   for (int round = 0; round < 20; ++round) {
     Formula one = chain(20'000, Op::Always);

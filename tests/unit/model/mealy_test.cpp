@@ -25,6 +25,32 @@ Mealy random_machine(std::uint64_t seed, std::uint32_t states, bool partial) {
   return builder.finish();
 }
 
+TEST(MealyBuilder, TakesRowsInAnyOrder) {
+  const auto built = [](const std::vector<std::uint32_t>& states) {
+    MealyBuilder builder("any order", {{"a", Domain::integer(0, 99), "", {}}},
+                         {{{"y", Domain::integer(0, 99), "", {}}, OutputRole::Action}});
+    for (int s = 0; s < 3; ++s) builder.add_state();
+    for (std::int32_t a = 0; a < 100; ++a)
+      for (const std::uint32_t s : states)
+        if (s != 1 || a % 2 == 0)
+          builder.add(s, {(a * 37) % 100}, {(a * 7 + 3) % 100}, (s + 1) % 3, a % 5 == 0);
+    return builder.finish();
+  };
+  const Mealy machine = built({0, 1, 2});
+  EXPECT_EQ(machine, built({2, 0, 1}));
+  EXPECT_EQ(machine.first, (std::vector<std::uint32_t>{0, 100, 150, 250}));
+  for (std::uint32_t s = 0; s < 3; ++s) {
+    for (std::int32_t a = 0; a < 100; ++a) {
+      const auto* row = machine.find(s, *machine.input_letter({(a * 37) % 100}));
+      ASSERT_EQ(row != nullptr, s != 1 || a % 2 == 0);
+      if (row == nullptr) continue;
+      EXPECT_EQ(machine.output_letters[row->output].front(), (a * 7 + 3) % 100);
+      EXPECT_EQ(row->next, (s + 1) % 3);
+      EXPECT_EQ(row->fallback, a % 5 == 0);
+    }
+  }
+}
+
 /// Bisimilarity by pairs, from the definition: the largest relation in which rows agree.
 std::set<std::pair<std::uint32_t, std::uint32_t>> bisimilar(const Mealy& m) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> relation;
