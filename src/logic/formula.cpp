@@ -1,6 +1,8 @@
 #include <heed/logic/formula.h>
 #include <heed/util/hash.h>
+#include <heed/util/word_table.h>
 
+#include <array>
 #include <atomic>
 #include <cassert>
 #include <cstdint>
@@ -286,51 +288,20 @@ Formula eventually(const Formula& a) {
   return Formula::make(Op::Eventually, {a});
 }
 
-namespace {
-
-/// A set of nodes by identity, without an allocation for each: most formulas are small and are walked often.
-class Identities {
- public:
-  /// \returns whether it is new
-  bool insert(const void* identity) {
-    if (2 * (size_ + 1) > places_.size()) grow();
-    // Nodes are aligned, so that no key is 0, whatever the identity.
-    const std::uintptr_t key = reinterpret_cast<std::uintptr_t>(identity) + 1;
-    std::uintptr_t& place = place_of(key);
-    if (place == key) return false;
-    place = key;
-    ++size_;
-    return true;
-  }
-
- private:
-  std::uintptr_t& place_of(std::uintptr_t key) {
-    const std::size_t mask = places_.size() - 1;
-    std::size_t place = util::mix(key, 0) & mask;
-    while (places_[place] != 0 && places_[place] != key) place = (place + 1) & mask;
-    return places_[place];
-  }
-  void grow() {
-    std::vector<std::uintptr_t> old(places_.size() * 4, 0);
-    old.swap(places_);
-    for (const std::uintptr_t key : old)
-      if (key != 0) place_of(key) = key;
-  }
-
-  std::size_t size_ = 0;
-  std::vector<std::uintptr_t> places_ = std::vector<std::uintptr_t>(32, 0);
-};
-
-}  // namespace
-
 std::vector<Formula> postorder(const Formula& root) {
   struct Frame {
     const Formula* formula;
     std::size_t next;
   };
   std::vector<Formula> order;
-  Identities entered;
-  entered.insert(root.identity());
+  util::WordTable entered(2);
+  const auto enter = [&](const Formula& formula) {
+    const auto identity = static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(formula.identity()));
+    return entered
+        .number(std::array{static_cast<std::uint32_t>(identity), static_cast<std::uint32_t>(identity >> 32)})
+        .second;
+  };
+  enter(root);
   std::vector<Frame> open{{&root, 0}};
   while (!open.empty()) {
     Frame& frame = open.back();
@@ -340,7 +311,7 @@ std::vector<Formula> postorder(const Formula& root) {
       continue;
     }
     const Formula& operand = (*frame.formula)[frame.next++];
-    if (entered.insert(operand.identity())) open.push_back({&operand, 0});
+    if (enter(operand)) open.push_back({&operand, 0});
   }
   return order;
 }

@@ -1,17 +1,25 @@
 #include <heed/model/mealy.h>
-#include <heed/util/hash.h>
 
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <span>
 
 namespace heed::model {
 namespace {
 
-std::uint64_t hash_of(const Valuation& letter) {
-  std::uint64_t h = letter.size();
-  for (const std::int32_t value : letter) h = util::mix(h, static_cast<std::uint32_t>(value));
-  return h;
+/// The number of \p letter, whose values are looked at as words.
+std::uint32_t numbered(util::WordTable& letters, const Valuation& letter) {
+  const std::vector<std::uint32_t> word(letter.begin(), letter.end());
+  return letters.number(std::span<const std::uint32_t>(word)).first;
+}
+
+std::vector<Valuation> valuations(const util::WordTable& letters) {
+  std::vector<Valuation> result;
+  result.reserve(letters.size());
+  for (std::uint32_t i = 0; i < letters.size(); ++i)
+    result.emplace_back(letters[i].begin(), letters[i].end());
+  return result;
 }
 
 /// Sorts \p letters and returns where each old index went.
@@ -49,7 +57,8 @@ bool operator==(const Mealy& a, const Mealy& b) {
   return write_mealy(a) == write_mealy(b);
 }
 
-MealyBuilder::MealyBuilder(std::string name, std::vector<Variable> inputs, std::vector<Output> outputs) {
+MealyBuilder::MealyBuilder(std::string name, std::vector<Variable> inputs, std::vector<Output> outputs)
+    : input_letters_(inputs.size()), output_letters_(outputs.size()) {
   machine_.name = std::move(name);
   machine_.inputs = std::move(inputs);
   machine_.outputs = std::move(outputs);
@@ -59,28 +68,6 @@ std::uint32_t MealyBuilder::add_state() {
   return states_++;
 }
 
-std::uint32_t MealyBuilder::Letters::number(const Valuation& letter) {
-  if (2 * (letters.size() + 1) > places.size()) grow();
-  std::uint32_t& place = places[place_of(letter)];
-  if (place == free) {
-    place = static_cast<std::uint32_t>(letters.size());
-    letters.push_back(letter);
-  }
-  return place;
-}
-
-std::size_t MealyBuilder::Letters::place_of(const Valuation& letter) const {
-  const std::size_t mask = places.size() - 1;
-  std::size_t place = hash_of(letter) & mask;
-  while (places[place] != free && letters[places[place]] != letter) place = (place + 1) & mask;
-  return place;
-}
-
-void MealyBuilder::Letters::grow() {
-  places.assign(std::max<std::size_t>(64, places.size() * 4), free);
-  for (std::uint32_t i = 0; i < letters.size(); ++i) places[place_of(letters[i])] = i;
-}
-
 void MealyBuilder::add(std::uint32_t state, const Valuation& input, const Valuation& output,
                        std::uint32_t next, bool fallback) {
   add(state, {input_letter(input), output_letter(output), next, fallback});
@@ -88,19 +75,19 @@ void MealyBuilder::add(std::uint32_t state, const Valuation& input, const Valuat
 
 std::uint32_t MealyBuilder::input_letter(const Valuation& letter) {
   assert(letter.size() == machine_.inputs.size());
-  return input_letters_.number(letter);
+  return numbered(input_letters_, letter);
 }
 
 std::uint32_t MealyBuilder::output_letter(const Valuation& letter) {
   assert(letter.size() == machine_.outputs.size());
-  return output_letters_.number(letter);
+  return numbered(output_letters_, letter);
 }
 
 Mealy MealyBuilder::finish() {
-  const auto input_place = sort_letters(input_letters_.letters);
-  const auto output_place = sort_letters(output_letters_.letters);
-  machine_.input_letters = std::move(input_letters_.letters);
-  machine_.output_letters = std::move(output_letters_.letters);
+  machine_.input_letters = valuations(input_letters_);
+  machine_.output_letters = valuations(output_letters_);
+  const auto input_place = sort_letters(machine_.input_letters);
+  const auto output_place = sort_letters(machine_.output_letters);
   const auto end_of = [&](std::size_t run) {
     return run + 1 < runs_.size() ? runs_[run + 1].begin : rows_.size();
   };

@@ -5,6 +5,7 @@
 // rows in memory.
 
 #include <heed/model/mealy.h>
+#include <heed/util/hash.h>
 
 #include <algorithm>
 #include <bit>
@@ -59,10 +60,7 @@ class Signatures {
   /// The first state that was asked for with the block and the features of \p state.
   std::uint32_t leader(std::uint32_t state, const Blocks& block) {
     std::uint64_t hash = block[state];
-    for (const Mealy::Transition& row : rows(state)) {
-      hash = (hash ^ feature_(row)) * 0x9e3779b97f4a7c15ULL;
-      hash ^= hash >> 32;
-    }
+    for (const Mealy::Transition& row : rows(state)) hash = util::absorb(hash, feature_(row));
     for (std::size_t place = hash & (places_.size() - 1);; place = (place + 1) & (places_.size() - 1)) {
       Place& here = places_[place];
       if (here.leader == UINT32_MAX) {

@@ -173,8 +173,8 @@ class Bdd {
 struct ManagerOptions {
   std::size_t max_nodes = std::size_t{1} << 28;      ///< Also the greatest possible value.
   std::size_t initial_nodes = std::size_t{1} << 16;  ///< Nodes before the first collection.
-  std::size_t initial_cache_bytes = std::size_t{1}
-                                    << 16;  ///< Of the computed cache, before it grows with the work.
+  /// Of the computed cache, before it grows with the work.
+  std::size_t initial_cache_bytes = std::size_t{1} << 16;
   std::size_t max_cache_bytes = std::size_t{1} << 29;  ///< Of the computed cache.
   bool automatic_reordering = true;                    ///< Sift when the live nodes have grown enough.
   std::size_t first_reordering = 20'000;  ///< Live nodes that set off the first automatic reordering.

@@ -3,6 +3,7 @@
 #include <heed/model/variable.h>
 #include <heed/util/limits.h>
 #include <heed/util/source.h>
+#include <heed/util/word_table.h>
 
 #include <cstdint>
 #include <deque>
@@ -90,17 +91,7 @@ class MealyBuilder {
   Mealy machine_;
   std::deque<Mealy::Transition> rows_;  ///< Grows without moving what is there.
   std::vector<Run> runs_;
-  /// Numbered in the order of their discovery; open addressing, at most half full.
-  struct Letters {
-    static constexpr std::uint32_t free = UINT32_MAX;
-    std::vector<Valuation> letters;
-    std::vector<std::uint32_t> places;
-
-    std::uint32_t number(const Valuation& letter);
-    [[nodiscard]] std::size_t place_of(const Valuation& letter) const;
-    void grow();
-  };
-  Letters input_letters_, output_letters_;
+  util::WordTable input_letters_, output_letters_;
   std::uint32_t states_ = 0;
 };
 

@@ -14,4 +14,11 @@ namespace heed::util {
   return z ^ (z >> 31);
 }
 
+/// Takes one more word into the hash of a sequence, by one multiplication: its upper half, which all words so
+/// far reach, is folded into the lower half, from which a place in a table may be taken.
+[[nodiscard]] constexpr std::uint64_t absorb(std::uint64_t hash, std::uint64_t word) {
+  hash = (hash ^ word) * 0x9e3779b97f4a7c15ULL;
+  return hash ^ (hash >> 32);
+}
+
 }  // namespace heed::util

@@ -52,19 +52,12 @@ class WordTable {
  private:
   static constexpr std::size_t initial_places = 64;
 
-  /// One multiplication for two letters: words are short and asked for often. The upper half of each product,
-  /// which all letters reach, is folded into the lower half, which a place is taken from.
   template <std::size_t Length>
   static std::uint64_t hash_of(std::span<const std::uint32_t, Length> word) {
     std::uint64_t hash = 0;
     std::size_t i = 0;
-    const auto take = [&](std::uint64_t letters) {
-      hash = (hash ^ letters) * 0x9e3779b97f4a7c15ULL;
-      hash ^= hash >> 32;
-    };
-    for (; i + 1 < word.size(); i += 2) take(std::uint64_t{word[i]} << 32 | word[i + 1]);
-    if (i < word.size()) take(word[i]);
-    return hash;
+    for (; i + 1 < word.size(); i += 2) hash = absorb(hash, std::uint64_t{word[i]} << 32 | word[i + 1]);
+    return i < word.size() ? absorb(hash, word[i]) : hash;
   }
 
   /// Where \p word stands or would stand.
