@@ -5,44 +5,6 @@
 /// Cofactors by cubes, the two generalised cofactors, and composition. \cite coudert.90.iccad
 namespace heed::bdd {
 
-namespace {
-
-Edge put(Kernel& kernel, Edge f, const LiteralAt& literal);
-
-/// \p f above the literal, as a step of its own: most diagrams that vectors of functions hold are small, and
-/// most of their nodes stand at the literal or below it.
-Edge put_below(Kernel& kernel, Edge f, const LiteralAt& literal) {
-  const Edge flip = f & 1U;
-  f ^= flip;
-  Edge result = 0;
-  if (kernel.cache.find(Binary::Cofactor, f, literal.edge, result)) return result ^ flip;
-  kernel.step();
-  const Node here = kernel.node(f);
-  const Edge low = put(kernel, here.low, literal);
-  kernel.push(low);
-  const Edge high = put(kernel, here.high, literal);
-  kernel.pop();
-  result = kernel.make(here.variable, low, high);
-  kernel.cache.store(Binary::Cofactor, f, literal.edge, result);
-  return result ^ flip;
-}
-
-inline Edge put(Kernel& kernel, Edge f, const LiteralAt& literal) {
-  const std::uint32_t level = kernel.level(f);
-  if (level > literal.level) return f;
-  if (level < literal.level) return put_below(kernel, f, literal);
-  return literal.value ? kernel.high(f) : kernel.low(f);
-}
-
-}  // namespace
-
-LiteralAt::LiteralAt(const Kernel& kernel, Edge literal)
-    : edge(literal), level(kernel.level(literal)), value(kernel.high(literal) == true_edge) {}
-
-Edge cofactor(Kernel& kernel, Edge f, const LiteralAt& literal) {
-  return put(kernel, f, literal);
-}
-
 Edge cofactor(Kernel& kernel, Edge f, Edge cube) {
   const std::uint32_t top = kernel.level(f);
   while (kernel.level(cube) < top) {

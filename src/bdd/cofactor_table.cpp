@@ -49,8 +49,7 @@ CofactorTable::Id CofactorTable::make_step(Id id, bool value) {
   const Edge literal = literals_[depth][value ? 1 : 0].edge_;
   static_cast<void>(kernel_->run([&] {
     now_[0] = depth + 1;
-    const LiteralAt at(*kernel_, literal);
-    for (std::size_t i = 0; i < width_; ++i) now_[1 + i] = cofactor(*kernel_, edge(id, i), at);
+    for (std::size_t i = 0; i < width_; ++i) now_[1 + i] = cofactor(*kernel_, edge(id, i), literal);
     return true_edge;
   }));
   const Id next = intern();

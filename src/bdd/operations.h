@@ -33,14 +33,6 @@ Edge and_next(Kernel& kernel, Edge f, Edge g);
 Edge and_exists_next(Kernel& kernel, Edge f, Edge g, Edge cube);
 
 Edge cofactor(Kernel& kernel, Edge f, Edge cube);
-/// A cube of one literal, taken apart.
-struct LiteralAt {
-  LiteralAt(const Kernel& kernel, Edge literal);
-  Edge edge;
-  std::uint32_t level;
-  bool value;
-};
-Edge cofactor(Kernel& kernel, Edge f, const LiteralAt& literal);
 Edge restrict_to(Kernel& kernel, Edge f, Edge care);
 Edge constrain_to(Kernel& kernel, Edge f, Edge care);
 
