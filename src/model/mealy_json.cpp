@@ -4,6 +4,9 @@
 #include <heed/model/mealy.h>
 #include <heed/util/diagnostic.h>
 
+#include <array>
+#include <charconv>
+
 #include "document.h"
 
 namespace heed::model {
@@ -18,6 +21,23 @@ std::string print_letter(const Valuation& letter) {
     out += std::to_string(letter[i]);
   }
   return out + ']';
+}
+
+/// Without a format string, which would take most of the time of writing a large machine.
+void print_row(std::string& out, const Mealy::Transition& row) {
+  std::array<char, 48> text{'['};
+  char* end = text.data() + 1;
+  for (const std::uint32_t number : {row.input, row.output, row.next}) {
+    end = std::to_chars(end, text.data() + text.size(), number).ptr;
+    *end++ = ',';
+    *end++ = ' ';
+  }
+  if (row.fallback)
+    *end++ = '1';
+  else
+    end -= 2;
+  *end++ = ']';
+  out.append(text.data(), end);
 }
 
 /// Reads one controller.
@@ -113,9 +133,8 @@ std::string write_mealy(const Mealy& machine) {
   for (std::uint32_t s = 0; s < machine.state_count(); ++s) {
     out += s == 0 ? "\n [" : ",\n [";
     for (std::uint32_t t = machine.first[s]; t < machine.first[s + 1]; ++t) {
-      const Mealy::Transition& row = machine.transitions[t];
-      fmt::format_to(std::back_inserter(out), "{}[{}, {}, {}{}]", t == machine.first[s] ? "" : ", ",
-                     row.input, row.output, row.next, row.fallback ? ", 1" : "");
+      if (t != machine.first[s]) out += ", ";
+      print_row(out, machine.transitions[t]);
     }
     out += ']';
   }
