@@ -1,6 +1,7 @@
 #include "cycles.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace heed::check {
 namespace {
@@ -75,6 +76,38 @@ class Components {
   std::vector<std::uint32_t> order_, low_, of_, stack_;
   std::vector<Frame> frames_;
   std::uint32_t next_ = 0, count_ = 0;
+};
+
+/// The justices that the inner edges of each component meet.
+class Fairness {
+ public:
+  Fairness(const Product& product, const Components& components)
+      : words_(product.words), met_(components.count() * words_), cycle_(components.count()) {
+    for (std::uint32_t node = 0; node < product.nodes.size(); ++node)
+      for (std::size_t edge = product.first[node]; edge < product.first[node + 1]; ++edge) {
+        if (!components.inner(node, edge)) continue;
+        const std::size_t component = components.of(node);
+        cycle_[component] = true;
+        for (std::size_t w = 0; w < words_; ++w)
+          met_[component * words_ + w] |= product.marks[edge * words_ + w];
+      }
+  }
+  /// Whether the component has an inner edge; of each component, true once.
+  bool take_cycle(std::size_t component) {
+    const bool cycle = cycle_[component];
+    cycle_[component] = false;
+    return cycle;
+  }
+  [[nodiscard]] bool meets_first(std::size_t component, std::size_t justices) const {
+    for (std::size_t i = 0; i < justices; ++i)
+      if (((met_[component * words_ + i / 64] >> (i % 64)) & 1U) == 0) return false;
+    return true;
+  }
+
+ private:
+  std::size_t words_;
+  std::vector<std::uint64_t> met_;
+  std::vector<bool> cycle_;
 };
 
 /// A closed walk within one component that takes an edge of every environment justice.
@@ -152,27 +185,16 @@ void check_justice(const Explorer& explorer, const Rules& rules, util::Budget& b
   const Product& product = explorer.product();
   for (std::size_t j = 0; j < rules.sys_justices && verdict.refutations.size() < options.most; ++j) {
     const Components components(product, rules.env_justices + j, budget);
-    std::vector<std::vector<bool>> met(components.count());
-    for (std::uint32_t node = 0; node < product.nodes.size(); ++node)
-      for (std::size_t edge = product.first[node]; edge < product.first[node + 1]; ++edge) {
-        if (!components.inner(node, edge)) continue;
-        auto& of = met[components.of(node)];
-        of.resize(rules.env_justices + 1);
-        for (std::size_t i = 0; i < rules.env_justices; ++i)
-          if (product.meets(edge, i)) of[i] = true;
-        of.back() = true;
-      }
+    Fairness fairness(product, components);
     for (std::uint32_t node = 0; node < product.nodes.size() && verdict.refutations.size() < options.most;
          ++node) {
-      auto& of = met[components.of(node)];
-      if (of.empty()) continue;
-      if (std::find(of.begin(), of.end(), false) != of.end()) {
+      if (!fairness.take_cycle(components.of(node))) continue;
+      if (!fairness.meets_first(components.of(node), rules.env_justices)) {
         verdict.relies_on_broken_justice = true;
       } else {
         const auto loop = Lasso(product, components, rules.env_justices).loop(node);
         verdict.refutations.push_back(lasso(explorer, rules.spec.sys_justice[j], node, loop));
       }
-      of.clear();
     }
   }
 }

@@ -1,12 +1,11 @@
 #include "explore.h"
 
 #include <heed/util/diagnostic.h>
-#include <heed/util/hash.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
+#include <array>
 
 namespace heed::check {
 
@@ -21,15 +20,18 @@ Explorer::Explorer(const model::Mealy& machine, const Rules& rules, util::Budget
       letters_(machine, rules.spec),
       legal_(rules, budget),
       kept_width_(std::max<std::size_t>(1, rules.kept_programs.size())),
+      kept_(2 * kept_width_),
+      outlooks_(rules),
       registers_(rules.registers + 1) {
-  map_columns();
   check_machine();
+  map_columns();
   product_.words = (rules.env_justices + rules.sys_justices + 63) / 64;
   step_marks_.resize(product_.words);
 }
 
 void Explorer::map_columns() {
   const auto wanted = spec::controller_outputs(rules_.spec);
+  std::vector<std::uint32_t> places;
   for (const model::Output& output : wanted) {
     std::uint32_t column = 0;
     while (column < machine_.outputs.size() && machine_.outputs[column].variable.name != output.variable.name)
@@ -39,10 +41,13 @@ void Explorer::map_columns() {
       throw util::InputError(output.variable.location, "columns",
                              fmt::format("the controller has no column '{}' as the specification declares it",
                                          output.variable.name));
-    columns_.push_back(column);
+    places.push_back(column);
   }
   if (machine_.outputs.size() != wanted.size())
     throw util::InputError({}, "columns", "the controller has columns that the specification does not have");
+  width_ = places.size();
+  for (const auto& letter : machine_.output_letters)
+    for (const std::uint32_t place : places) columns_.push_back(letter[place]);
 }
 
 void Explorer::check_machine() const {
@@ -61,10 +66,6 @@ void Explorer::check_machine() const {
           letter[i] > machine_.outputs[i].variable.domain.high)
         broken("an output letter has a value outside its type");
   }
-}
-
-std::int32_t Explorer::column(std::uint32_t row, std::uint32_t slot) const {
-  return machine_.output_letters[machine_.transitions[row].output][columns_[slot - rules_.layout.inputs()]];
 }
 
 bool Explorer::holds(const Program& program, const std::int32_t* values) const {
@@ -109,11 +110,12 @@ bool Explorer::missing(std::uint32_t node, const std::int32_t* values) {
 void Explorer::run(Verdict& verdict) {
   verdict_ = &verdict;
   product_.nodes.push_back({0, none, none, none});
+  places_.number(std::array{0U, none});
   product_.first.push_back(0);
   for (std::uint32_t node = 0; node < product_.nodes.size() && verdict.refutations.size() < options_.most;
        ++node) {
     expand(node);
-    finish_node();
+    product_.first.push_back(product_.edges.size());
   }
   verdict.product_states = product_.nodes.size();
 }
@@ -126,9 +128,11 @@ void Explorer::expand(std::uint32_t node) {
                               : rules_.spec.timing == spec::Timing::Moore;
   bool any = false;
   // The kept values of this node are copied: the table grows while successors are found.
-  std::vector<std::int64_t> kept;
-  if (!common.start) kept.assign(kept_of(node), kept_of(node) + kept_width_);
-  legal_.each(common.start ? nullptr : kept.data(), [&](std::int32_t* values) {
+  if (!common.start) before_.assign(kept_of(node), kept_of(node) + kept_width_);
+  const std::int64_t* kept = common.start ? nullptr : before_.data();
+  outlook_ = common.start ? &outlooks_.first() : &outlooks_.after(product_.nodes[node].kept, kept);
+  previous_edge_.clear();
+  legal_.each(kept, *outlook_, [&](std::int32_t* values) {
     any = any || !common.start || can_start(values);
     return take(node, values, common);
   });
@@ -177,8 +181,7 @@ bool Explorer::answer(Answer at, std::int32_t* values, Common& common) {
   if (!(common.start ? starts_well(at, values) : memories_agree(at, values)))
     return verdict_->refutations.size() < options_.most;
   if (common.fixed && !shares(at, common)) return verdict_->refutations.size() < options_.most;
-  for (std::uint32_t slot = rules_.layout.inputs(); slot < rules_.layout.size(); ++slot)
-    values[slot] = column(at.row, slot);
+  std::copy_n(columns(at.row), width_, values + rules_.layout.inputs());
   const RowFacts& row = facts(at.row, values);
   if (row.violated && row.wrong_column) return refuse_row(at, row);
   if (common.start)
@@ -198,7 +201,7 @@ bool Explorer::answer(Answer at, std::int32_t* values, Common& common) {
             at.node, step(at.row));
   if (row.violated) return refuse_row(at, row);
   if (common.start && start_broken(values)) return true;
-  if (!common.start && !keeps_step(at, values)) return verdict_->refutations.size() < options_.most;
+  if (!common.start && !keeps_step(at, row, values)) return verdict_->refutations.size() < options_.most;
   if (!row.environment_broken) connect(at, row, values);
   return true;
 }
@@ -263,14 +266,15 @@ bool Explorer::shares(Answer at, Common& common) {
   return same;
 }
 
-bool Explorer::keeps_step(Answer at, const std::int32_t* values) {
-  for (const Rule& rule : rules_.sys_step) {
-    if (rule.program.run({values, kept_of(at.node)}, registers_) != 0) continue;
-    refuse({Kind::Safety, rule.clause->text, "a guarantee on the step is broken", {}, 0}, at.node,
-           step(at.row));
-    return false;
-  }
-  return true;
+bool Explorer::keeps_step(Answer at, const RowFacts& row, const std::int32_t* values) {
+  const std::string* broken = row.violated_after_start;
+  const auto& open = outlook_->open_guarantees();
+  for (std::size_t i = 0; i < open.size() && !broken; ++i)
+    if (Program::run(outlook_->guarantee(i), {values}, registers_) == 0)
+      broken = &rules_.sys_step[open[i]].clause->text;
+  if (broken)
+    refuse({Kind::Safety, *broken, "a guarantee on the step is broken", {}, 0}, at.node, step(at.row));
+  return !broken;
 }
 
 bool Explorer::start_broken(const std::int32_t* values) {
@@ -280,9 +284,9 @@ bool Explorer::start_broken(const std::int32_t* values) {
 
 const Explorer::RowFacts& Explorer::facts(std::uint32_t row, const std::int32_t* values) {
   const auto& transition = machine_.transitions[row];
-  const auto [at, fresh] = facts_.try_emplace((std::uint64_t{transition.input} << 32U) | transition.output);
-  RowFacts& out = at->second;
-  if (!fresh) return out;
+  const auto [number, fresh] = pairs_.number(std::array{transition.input, transition.output});
+  if (!fresh) return facts_[number];
+  RowFacts& out = facts_.emplace_back();
   for (std::uint32_t i = 0; i < rules_.definitions.size() && !out.violated; ++i)
     if (rules_.definitions[i].run({values}, registers_) != values[rules_.layout.definition(i)]) {
       out.violated = &rules_.spec.definitions[i].name;
@@ -290,6 +294,9 @@ const Explorer::RowFacts& Explorer::facts(std::uint32_t row, const std::int32_t*
     }
   for (const Rule& rule : rules_.sys_present)
     if (!out.violated && !holds(rule.program, values)) out.violated = &rule.clause->text;
+  for (const Rule& rule : rules_.sys_coming)
+    if (!out.violated_after_start && !holds(rule.program, values))
+      out.violated_after_start = &rule.clause->text;
   for (const Rule& rule : rules_.later.after)
     out.environment_broken = out.environment_broken || !holds(rule.program, values);
   out.marks = static_cast<std::uint32_t>(row_marks_.size());
@@ -303,74 +310,51 @@ const Explorer::RowFacts& Explorer::facts(std::uint32_t row, const std::int32_t*
 
 std::uint32_t Explorer::intern_kept(const std::int32_t* values) {
   const std::size_t begin = kept_values_.size();
-  std::uint64_t hash = 0;
+  halves_.clear();
   for (const auto& program : rules_.kept_programs) {
-    std::int64_t value = 0;
     const auto hit = std::find_if(program.cases.begin(), program.cases.end(),
                                   [&](const auto& c) { return holds(c.first, values); });
-    value = hit != program.cases.end() ? hit->second : program.term.run({values}, registers_);
+    const std::int64_t value =
+        hit != program.cases.end() ? hit->second : program.term.run({values}, registers_);
     kept_values_.push_back(value);
-    hash = util::mix(hash, static_cast<std::uint64_t>(value));
+    halves_.push_back(static_cast<std::uint32_t>(value));
+    halves_.push_back(static_cast<std::uint32_t>(static_cast<std::uint64_t>(value) >> 32U));
   }
   kept_values_.resize(begin + kept_width_);
-  auto& bucket = kept_index_[hash];
-  for (const std::uint32_t other : bucket) {
-    if (!std::equal(kept_values_.begin() + static_cast<std::ptrdiff_t>(begin), kept_values_.end(),
-                    kept_values_.begin() + static_cast<std::ptrdiff_t>(other * kept_width_)))
-      continue;
-    kept_values_.resize(begin);
-    return other;
-  }
-  bucket.push_back(static_cast<std::uint32_t>(begin / kept_width_));
-  return bucket.back();
+  halves_.resize(2 * kept_width_);
+  const auto [number, fresh] = kept_.number(std::span<const std::uint32_t>(halves_));
+  if (!fresh) kept_values_.resize(begin);
+  return number;
 }
 
 void Explorer::connect(Answer at, const RowFacts& row, const std::int32_t* values) {
   const std::uint32_t state = machine_.transitions[at.row].next;
-  const std::uint64_t key = (std::uint64_t{state} << 32U) | row.kept;
-  const auto [found, fresh] = node_index_.emplace(key, static_cast<std::uint32_t>(product_.nodes.size()));
+  const auto [target, fresh] = places_.number(std::array{state, row.kept});
   if (fresh) product_.nodes.push_back({state, row.kept, at.node, at.row});
   if (rules_.sys_justices == 0) return;
   for (std::size_t w = 0; w < product_.words; ++w) step_marks_[w] = row_marks_[row.marks + w];
-  for (std::size_t j = 0; at.node != 0 && j < rules_.justice_step.size(); ++j)
-    if (rules_.justice_step[j] && rules_.justice_step[j]->run({values, kept_of(at.node)}, registers_) != 0)
+  for (std::size_t i = 0; at.node != 0 && i < rules_.step_justices.size(); ++i) {
+    const std::uint32_t j = rules_.step_justices[i];
+    if (Program::run(outlook_->justice(i), {values}, registers_) != 0)
       step_marks_[j / 64] |= std::uint64_t{1} << (j % 64);
-  product_.edges.push_back({found->second, at.row});
+  }
+  if (last_edge_.size() <= target) last_edge_.resize(product_.nodes.size());
+  if (has_edge(target)) return;
+  product_.edges.push_back({target, at.row});
   product_.marks.insert(product_.marks.end(), step_marks_.begin(), step_marks_.end());
+  previous_edge_.push_back(last_edge_[target]);
+  last_edge_[target] = product_.edges.size();
 }
 
-/// Closes the edge list of a node, keeping one edge per (target, justices): letters that do the same are one.
-void Explorer::finish_node() {
-  const std::size_t begin = product_.first.back(), words = product_.words;
-  const std::size_t count = product_.edges.size() - begin;
-  std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), 0U);
-  const auto marks = [&](std::uint32_t i) {
-    return product_.marks.begin() + static_cast<std::ptrdiff_t>((begin + i) * words);
-  };
-  const auto compare = [&](std::uint32_t a, std::uint32_t b) {
-    if (product_.edges[begin + a].target != product_.edges[begin + b].target)
-      return product_.edges[begin + a].target < product_.edges[begin + b].target ? -1 : 1;
-    const auto [x, y] = std::mismatch(marks(a), marks(a) + static_cast<std::ptrdiff_t>(words), marks(b));
-    return x == marks(a) + static_cast<std::ptrdiff_t>(words) ? 0 : (*x < *y ? -1 : 1);
-  };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const int way = compare(a, b);
-    return way != 0 ? way < 0 : a < b;
-  });
-  order.erase(std::unique(order.begin(), order.end(), [&](auto a, auto b) { return compare(a, b) == 0; }),
-              order.end());
-  std::vector<Product::Edge> edges;
-  std::vector<std::uint64_t> kept;
-  for (const std::uint32_t i : order) {
-    edges.push_back(product_.edges[begin + i]);
-    kept.insert(kept.end(), marks(i), marks(i) + static_cast<std::ptrdiff_t>(words));
+/// An edge from the expanded node with these justices: letters that do the same are one edge.
+bool Explorer::has_edge(std::uint32_t target) const {
+  const std::size_t first = product_.first.back(), words = product_.words;
+  for (std::size_t edge = last_edge_[target]; edge > first; edge = previous_edge_[edge - 1 - first]) {
+    std::size_t same = 0;
+    while (same < words && step_marks_[same] == product_.marks[(edge - 1) * words + same]) ++same;
+    if (same == words) return true;
   }
-  product_.edges.resize(begin);
-  product_.marks.resize(begin * words);
-  product_.edges.insert(product_.edges.end(), edges.begin(), edges.end());
-  product_.marks.insert(product_.marks.end(), kept.begin(), kept.end());
-  product_.first.push_back(product_.edges.size());
+  return false;
 }
 
 }  // namespace heed::check

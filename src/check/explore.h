@@ -1,13 +1,13 @@
 #pragma once
 
 #include <heed/check/verify.h>
+#include <heed/util/word_table.h>
 
 #include "letters.h"
 #include "rules.h"
 
 #include <cstdint>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace heed::check {
@@ -60,6 +60,7 @@ class Explorer {
     std::uint32_t marks = 0;  ///< Present justices, in `row_marks_`.
     const std::string* violated = nullptr;
     bool wrong_column = false;
+    const std::string* violated_after_start = nullptr;  ///< Only at the start may the letters be these.
   };
   struct Answer {
     std::uint32_t node, row;
@@ -73,7 +74,6 @@ class Explorer {
   void map_columns();
   void check_machine() const;
   void expand(std::uint32_t node);
-  void finish_node();
   bool take(std::uint32_t node, std::int32_t* values, Common& common);
   bool answer(Answer at, std::int32_t* values, Common& common);
   [[nodiscard]] bool can_start(const std::int32_t* values) const;
@@ -81,12 +81,19 @@ class Explorer {
   bool starts_well(Answer at, const std::int32_t* values);
   bool memories_agree(Answer at, const std::int32_t* values);
   bool shares(Answer at, Common& common);
-  bool keeps_step(Answer at, const std::int32_t* values);
+  bool keeps_step(Answer at, const RowFacts& row, const std::int32_t* values);
   const RowFacts& facts(std::uint32_t row, const std::int32_t* values);
   bool start_broken(const std::int32_t* values);
   void connect(Answer at, const RowFacts& row, const std::int32_t* values);
+  [[nodiscard]] bool has_edge(std::uint32_t target) const;
   std::uint32_t intern_kept(const std::int32_t* values);
-  [[nodiscard]] std::int32_t column(std::uint32_t row, std::uint32_t slot) const;
+  /// The machine's values of the slots from the outputs on.
+  [[nodiscard]] const std::int32_t* columns(std::uint32_t row) const {
+    return columns_.data() + std::size_t{machine_.transitions[row].output} * width_;
+  }
+  [[nodiscard]] std::int32_t column(std::uint32_t row, std::uint32_t slot) const {
+    return columns(row)[slot - rules_.layout.inputs()];
+  }
   [[nodiscard]] bool holds(const Program& program, const std::int32_t* values) const;
   [[nodiscard]] const std::int64_t* kept_of(std::uint32_t node) const;
   bool refuse(Refutation refutation, std::uint32_t node, const TraceStep& last);
@@ -100,14 +107,22 @@ class Explorer {
   LetterIndex letters_;
   LegalInputs legal_;
   Product product_;
-  std::vector<std::uint32_t> columns_;  ///< Of the machine, per slot from the outputs on.
-  std::unordered_map<std::uint64_t, RowFacts> facts_;
+  std::size_t width_ = 0;              ///< Slots from the outputs on.
+  std::vector<std::int32_t> columns_;  ///< Their values, per output letter.
+  util::WordTable pairs_{2};           ///< Of input and output letters.
+  std::vector<RowFacts> facts_;        ///< Per pair.
   std::vector<std::uint64_t> row_marks_;
   std::size_t kept_width_ = 1;
+  util::WordTable kept_;  ///< The halves of the values.
   std::vector<std::int64_t> kept_values_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> kept_index_;
-  std::unordered_map<std::uint64_t, std::uint32_t> node_index_;
+  Outlooks outlooks_;
+  const Outlook* outlook_ = nullptr;        ///< From the node that is expanded,
+  std::vector<std::int64_t> before_;        ///< and the values kept there.
+  util::WordTable places_{2};               ///< Machine state and kept values of every node.
+  std::vector<std::size_t> last_edge_;      ///< Per node: the last edge that reached it, plus one.
+  std::vector<std::size_t> previous_edge_;  ///< Per edge of the node: the one before with its target.
   std::vector<std::uint64_t> step_marks_;
+  std::vector<std::uint32_t> halves_;
   mutable std::vector<std::int64_t> registers_;
   bool answered_start_ = false, refused_start_ = false;
 };

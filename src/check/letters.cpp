@@ -79,18 +79,6 @@ model::Valuation LetterIndex::valuation(const std::int32_t* inputs) const {
   return out;
 }
 
-bool LegalInputs::begin(const Enumeration& plan, const std::int64_t* kept) {
-  settled_.assign(plan.checks.size(), false);
-  for (std::size_t i = 0; i < plan.checks.size(); ++i) {
-    const Program& program = plan.checks[i].program;
-    if (!program.reads_kept()) continue;
-    const Program::Outcome outcome = program.foresee(kept);
-    if (outcome == Program::Outcome::False) return false;
-    settled_[i] = outcome == Program::Outcome::True;
-  }
-  return true;
-}
-
 std::int32_t LegalInputs::memory(std::uint32_t i, const std::int64_t* kept) {
   if (!kept) return rules_.spec.memories[i].initial[0];
   const Update& update = rules_.updates[i];
@@ -99,8 +87,8 @@ std::int32_t LegalInputs::memory(std::uint32_t i, const std::int64_t* kept) {
   return static_cast<std::int32_t>(update.otherwise.run({values_.data(), kept}, registers_));
 }
 
-bool LegalInputs::level(const Enumeration& plan, std::size_t k, const std::int64_t* kept) {
-  for (const Task& task : plan.levels[k]) {
+bool LegalInputs::level(std::size_t k, const std::int64_t* kept) {
+  for (const Task& task : outlook_->tasks(k)) {
     switch (task.kind) {
       case Task::Kind::Memory:
         values_[rules_.layout.memory(task.index)] = memory(task.index, kept);
@@ -110,9 +98,7 @@ bool LegalInputs::level(const Enumeration& plan, std::size_t k, const std::int64
             static_cast<std::int32_t>(rules_.definitions[task.index].run({values_.data()}, registers_));
         break;
       case Task::Kind::Check:
-        if (!settled_[task.index] &&
-            plan.checks[task.index].program.run({values_.data(), kept}, registers_) == 0)
-          return false;
+        if (Program::run(outlook_->check(task.index), {values_.data()}, registers_) == 0) return false;
         break;
     }
   }

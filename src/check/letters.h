@@ -3,6 +3,7 @@
 #include <heed/model/mealy.h>
 #include <heed/util/limits.h>
 
+#include "outlook.h"
 #include "rules.h"
 
 #include <cstdint>
@@ -41,10 +42,11 @@ class LegalInputs {
 
   /// Calls \p visit with the values of the step: inputs, and memories as far as they are determined. It may
   /// change the other values, and returns false to stop. \param kept  Of the step before; null for the first.
+  /// \param outlook  From there.
   template <typename Visit>
-  void each(const std::int64_t* kept, Visit&& visit) {
-    const Enumeration& plan = kept ? rules_.later : rules_.first;
-    if (!begin(plan, kept) || !level(plan, 0, kept)) return;
+  void each(const std::int64_t* kept, const Outlook& outlook, Visit&& visit) {
+    outlook_ = &outlook;
+    if (outlook.dead() || !level(0, kept)) return;
     const auto& inputs = rules_.spec.inputs;
     if (inputs.empty()) {
       visit(values_.data());
@@ -60,7 +62,7 @@ class LegalInputs {
       }
       values_[k] = static_cast<std::int32_t>(next_[k]++);
       if ((++steps_ & 0xff) == 0) budget_.check();
-      if (!level(plan, k + 1, kept)) continue;
+      if (!level(k + 1, kept)) continue;
       if (k + 1 == inputs.size()) {
         if (!visit(values_.data())) return;
       } else {
@@ -71,15 +73,14 @@ class LegalInputs {
   }
 
  private:
-  bool begin(const Enumeration& plan, const std::int64_t* kept);
-  bool level(const Enumeration& plan, std::size_t k, const std::int64_t* kept);
+  bool level(std::size_t k, const std::int64_t* kept);
   [[nodiscard]] std::int32_t memory(std::uint32_t i, const std::int64_t* kept);
 
   const Rules& rules_;
   util::Budget& budget_;
   std::vector<std::int32_t> values_;
   std::vector<std::int64_t> registers_, next_;
-  std::vector<bool> settled_;  ///< Checks that what was kept already decides.
+  const Outlook* outlook_ = nullptr;
   std::uint64_t steps_ = 0;
 };
 

@@ -105,10 +105,11 @@ std::uint32_t Program::emit(Instruction instruction) {
   return static_cast<std::uint32_t>(code_.size() - 1);
 }
 
-std::int64_t Program::run(Values values, std::vector<std::int64_t>& registers) const {
+std::int64_t Program::run(std::span<const Instruction> code, Values values,
+                          std::vector<std::int64_t>& registers) {
   std::int64_t* const out = registers.data();
   std::size_t i = 0;
-  for (const Instruction& in : code_) {
+  for (const Instruction& in : code) {
     switch (in.code) {
       case Code::Constant:
         out[i] = in.constant;
@@ -127,47 +128,61 @@ std::int64_t Program::run(Values values, std::vector<std::int64_t>& registers) c
   return out[i - 1];
 }
 
-namespace {
-
-using Outcome = Program::Outcome;
-
-/// A connective with at least one operand that is not known yet.
-Outcome partial(Code code, Outcome a, Outcome b) {
-  const bool some_false = a == Outcome::False || b == Outcome::False;
-  const bool some_true = a == Outcome::True || b == Outcome::True;
-  if (code == Code::And && some_false) return Outcome::False;
-  if (code == Code::Or && some_true) return Outcome::True;
-  if (code == Code::Implies && (a == Outcome::False || b == Outcome::True)) return Outcome::True;
-  return Outcome::Open;
+void Foresight::append(const Program& program, const std::int64_t* kept,
+                       std::vector<Program::Instruction>& out) {
+  registers_.clear();
+  for (const Program::Instruction& in : program.code()) evaluate(in, kept);
+  registers_[source(static_cast<std::uint32_t>(registers_.size() - 1))].needed = true;
+  for (std::size_t i = registers_.size(); i-- > 0;) {
+    const Register& at = registers_[i];
+    if (!at.needed || at.known || at.now.code == Code::Load) continue;
+    registers_[at.now.a].needed = registers_[at.now.b].needed = true;
+  }
+  std::uint32_t next = 0;
+  for (Register& at : registers_) {
+    if (!at.needed) continue;
+    at.place = next++;
+    if (at.known)
+      out.push_back({Code::Constant, 0, 0, at.value});
+    else if (at.now.code == Code::Load)
+      out.push_back(at.now);
+    else
+      out.push_back({at.now.code, registers_[at.now.a].place, registers_[at.now.b].place});
+  }
 }
 
-}  // namespace
+void Foresight::evaluate(const Program::Instruction& in, const std::int64_t* kept) {
+  registers_.push_back({false, false, 0, static_cast<std::uint32_t>(registers_.size()), in});
+  if (in.code == Code::Constant) return be_known(in.constant);
+  if (in.code == Code::Kept) return be_known(kept[in.a]);
+  if (in.code == Code::Load) return;
+  const Register &a = registers_[in.a], &b = registers_[in.b];
+  if (a.known && b.known) return be_known(apply(in.code, a.value, b.value));
+  connect(in);
+}
 
-Program::Outcome Program::foresee(const std::int64_t* kept) const {
-  struct Register {
-    Outcome truth;
-    std::int64_t value;
-  };
-  const auto known = [](std::int64_t value) {
-    return Register{value != 0 ? Outcome::True : Outcome::False, value};
-  };
-  std::vector<Register> out;
-  out.reserve(code_.size());
-  for (const Instruction& in : code_) {
-    if (in.code == Code::Constant) {
-      out.push_back(known(in.constant));
-    } else if (in.code == Code::Kept) {
-      out.push_back(known(kept[in.a]));
-    } else if (in.code == Code::Load) {
-      out.push_back({Outcome::Open, 0});
-    } else if (out[in.a].truth != Outcome::Open && out[in.b].truth != Outcome::Open) {
-      out.push_back(known(apply(in.code, out[in.a].value, out[in.b].value)));
-    } else {
-      const Outcome truth = partial(in.code, out[in.a].truth, out[in.b].truth);
-      out.push_back({truth, truth == Outcome::True ? 1 : 0});
-    }
+/// An operation with at least one operand that depends on the step.
+void Foresight::connect(const Program::Instruction& in) {
+  const Register &a = registers_[in.a], &b = registers_[in.b];
+  Register& here = registers_.back();
+  here.now = {in.code, source(in.a), source(in.b)};
+  if (!a.known && !b.known) return;
+  const bool truth = (a.known ? a.value : b.value) != 0;
+  const std::uint32_t open = a.known ? here.now.b : here.now.a;
+  const auto be_negated = [&] { here.now = {Code::Not, open, open}; };
+  switch (in.code) {
+    case Code::And:
+      return truth ? void(here.same = open) : be_known(0);
+    case Code::Or:
+      return truth ? be_known(1) : void(here.same = open);
+    case Code::Implies:
+      if (truth != a.known) return be_known(1);
+      return a.known ? void(here.same = open) : be_negated();
+    case Code::Iff:
+      return truth ? void(here.same = open) : be_negated();
+    default:
+      return;
   }
-  return out.back().truth;
 }
 
 std::uint32_t Kept::index(const Formula& term) {

@@ -5,6 +5,7 @@
 #include <heed/spec/symbols.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -65,13 +66,14 @@ class Program {
     std::int64_t constant = 0;
   };
 
-  /// \param registers  Scratch, at least size() long.
-  [[nodiscard]] std::int64_t run(Values values, std::vector<std::int64_t>& registers) const;
+  /// The value of the last of \p code, which is not empty. \param registers  Scratch, one for each.
+  [[nodiscard]] static std::int64_t run(std::span<const Instruction> code, Values values,
+                                        std::vector<std::int64_t>& registers);
+  [[nodiscard]] std::int64_t run(Values values, std::vector<std::int64_t>& registers) const {
+    return run(code_, values, registers);
+  }
 
-  enum class Outcome : std::uint8_t { False, True, Open };
-  /// The truth value that follows from what was kept alone, whatever the step is.
-  [[nodiscard]] Outcome foresee(const std::int64_t* kept) const;
-
+  [[nodiscard]] const std::vector<Instruction>& code() const { return code_; }
   [[nodiscard]] std::size_t size() const { return code_.size(); }
   /// Slots of the step that it reads, ascending.
   [[nodiscard]] const std::vector<std::uint32_t>& loads() const { return loads_; }
@@ -83,6 +85,32 @@ class Program {
   std::vector<Instruction> code_;
   std::vector<std::uint32_t> loads_;
   bool reads_kept_ = false;
+};
+
+/// Evaluates programs as far as what was kept of the step before goes.
+class Foresight {
+ public:
+  /// Appends to \p out code that has the value of \p program for these \p kept values, whatever the step is,
+  /// and reads the step alone. A value that does not depend on the step is one Constant. Linear in the size
+  /// of the program. \pre connectives have Boolean operands
+  void append(const Program& program, const std::int64_t* kept, std::vector<Program::Instruction>& out);
+
+ private:
+  struct Register {
+    bool known = false, needed = false;
+    std::int64_t value = 0;      ///< If known.
+    std::uint32_t same = 0;      ///< Otherwise: the register that has this value, itself or an earlier one,
+    Program::Instruction now{};  ///< and, if itself, how it gets it.
+    std::uint32_t place = 0;     ///< In the code that is appended.
+  };
+  void evaluate(const Program::Instruction& in, const std::int64_t* kept);
+  void connect(const Program::Instruction& in);
+  void be_known(std::int64_t value) { registers_.back() = {true, false, value}; }
+  [[nodiscard]] std::uint32_t source(std::uint32_t at) const {
+    return registers_[at].known ? at : registers_[at].same;
+  }
+
+  std::vector<Register> registers_;
 };
 
 /// What has to be remembered of a step to judge the next one: for each formula with Next, its largest parts

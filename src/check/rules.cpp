@@ -89,12 +89,15 @@ void Rules::compile_system() {
   for (const auto& clause : spec.sys_init)
     sys_init.push_back({&clause, compile_present(clause.formula, layout)});
   for (const auto& clause : spec.sys_safety) {
-    if (has_next(clause.formula))
-      sys_step.push_back({&clause, compile_step(clause.formula, layout, kept)});
-    else
+    if (!has_next(clause.formula)) {
       sys_present.push_back({&clause, compile_present(clause.formula, layout)});
+      continue;
+    }
+    Program program = compile_step(clause.formula, layout, kept);
+    auto& list = program.reads_kept() ? sys_step : sys_coming;
+    list.push_back({&clause, std::move(program)});
   }
-  for (const auto* list : {&sys_init, &sys_present, &sys_step})
+  for (const auto* list : {&sys_init, &sys_present, &sys_coming, &sys_step})
     for (const Rule& rule : *list) need(rule.program);
 }
 
@@ -107,6 +110,7 @@ void Rules::compile_justice() {
       Program program =
           step ? compile_step(clause.formula, layout, kept) : compile_present(clause.formula, layout);
       need(program);
+      if (step) step_justices.push_back(static_cast<std::uint32_t>(justice_step.size()));
       (step ? justice_step : justice_present).push_back(std::move(program));
       (step ? justice_present : justice_step).push_back(std::nullopt);
     }

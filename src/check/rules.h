@@ -54,9 +54,12 @@ struct Rules {
   Enumeration first, later;
   std::vector<Update> updates;       ///< Per memory.
   std::vector<Program> definitions;  ///< Per definition, over the columns.
-  std::vector<Rule> sys_init, sys_present, sys_step;
+  std::vector<Rule> sys_init, sys_present;
+  std::vector<Rule> sys_coming;  ///< With Next, and yet of the step that is reached alone.
+  std::vector<Rule> sys_step;    ///< Of both steps.
   std::vector<std::optional<Program>> justice_present;  ///< Environment's first, then the system's; by kind
   std::vector<std::optional<Program>> justice_step;     ///< one of the two is there.
+  std::vector<std::uint32_t> step_justices;             ///< Those in justice_step.
   std::size_t env_justices = 0, sys_justices = 0;
   std::size_t registers = 0;  ///< Enough for every program.
 

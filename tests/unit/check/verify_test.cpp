@@ -255,6 +255,23 @@ TEST(Verify, refuses_a_start_against_sys_init) {
   EXPECT_EQ(verdict(2, 0, 1).refutations.at(0).kind, Kind::WrongColumn);
 }
 
+TEST(Verify, asks_for_a_guarantee_with_next_from_the_second_step_on) {
+  // One that speaks of the reached step alone, one of both; the same letters are right at the start.
+  const auto verdict = [](const char* guarantee, std::int32_t first, std::int32_t then) {
+    const std::string text =
+        std::string("[input]\na : boolean\n[output]\ny : 0..3\n[sys safety]\n") + guarantee;
+    return check({{0, {0}, {first}, 1}, {0, {1}, {first}, 1}, {1, {0}, {then}, 1}, {1, {1}, {then}, 1}}, text,
+                 2);
+  };
+  EXPECT_TRUE(verdict("X (y > 1)\n", 0, 2).verified);
+  EXPECT_TRUE(verdict("y' >= y\n", 2, 2).verified);
+  for (const auto& wrong : {verdict("X (y > 1)\n", 2, 0), verdict("y' >= y\n", 2, 1)}) {
+    ASSERT_EQ(wrong.refutations.size(), 1U);
+    EXPECT_EQ(wrong.refutations[0].kind, Kind::Safety);
+    EXPECT_EQ(wrong.refutations[0].trace.size(), 2U);
+  }
+}
+
 TEST(Verify, refuses_two_dead_ends) {
   const std::vector<Break> breaks{{"state 5 has no rows",
                                    [](Rows& r) {
