@@ -19,9 +19,9 @@ Explorer::Explorer(const model::Mealy& machine, const Rules& rules, util::Budget
       options_(options),
       letters_(machine, rules.spec),
       legal_(rules, budget),
-      kept_width_(std::max<std::size_t>(1, rules.kept_programs.size())),
-      kept_(2 * kept_width_),
+      kept_(2 * std::max<std::size_t>(1, rules.kept_programs.size())),
       outlooks_(rules),
+      before_(kept_.length() / 2),
       registers_(rules.registers + 1) {
   check_machine();
   map_columns();
@@ -72,9 +72,10 @@ bool Explorer::holds(const Program& program, const std::int32_t* values) const {
   return program.run({values}, registers_) != 0;
 }
 
-const std::int64_t* Explorer::kept_of(std::uint32_t node) const {
-  const std::uint32_t kept = product_.nodes[node].kept;
-  return kept == none ? nullptr : kept_values_.data() + kept * kept_width_;
+void Explorer::recall(std::uint32_t kept) {
+  const auto halves = kept_[kept];
+  for (std::size_t i = 0; i < before_.size(); ++i)
+    before_[i] = static_cast<std::int64_t>(halves[2 * i] | std::uint64_t{halves[2 * i + 1]} << 32U);
 }
 
 TraceStep Explorer::step(std::uint32_t row) const {
@@ -127,12 +128,11 @@ void Explorer::expand(std::uint32_t node) {
   common.fixed = common.start ? initial == spec::InitialQuantifiers::ExistsForall
                               : rules_.spec.timing == spec::Timing::Moore;
   bool any = false;
-  // The kept values of this node are copied: the table grows while successors are found.
-  if (!common.start) before_.assign(kept_of(node), kept_of(node) + kept_width_);
-  const std::int64_t* kept = common.start ? nullptr : before_.data();
-  outlook_ = common.start ? &outlooks_.first() : &outlooks_.after(product_.nodes[node].kept, kept);
+  const std::uint32_t kept = product_.nodes[node].kept;
+  if (!common.start) recall(kept);
+  outlook_ = common.start ? &outlooks_.first() : &outlooks_.after(kept, before_.data());
   previous_edge_.clear();
-  legal_.each(kept, *outlook_, [&](std::int32_t* values) {
+  legal_.each(common.start ? nullptr : before_.data(), *outlook_, [&](std::int32_t* values) {
     any = any || !common.start || can_start(values);
     return take(node, values, common);
   });
@@ -309,22 +309,17 @@ const Explorer::RowFacts& Explorer::facts(std::uint32_t row, const std::int32_t*
 }
 
 std::uint32_t Explorer::intern_kept(const std::int32_t* values) {
-  const std::size_t begin = kept_values_.size();
   halves_.clear();
   for (const auto& program : rules_.kept_programs) {
     const auto hit = std::find_if(program.cases.begin(), program.cases.end(),
                                   [&](const auto& c) { return holds(c.first, values); });
-    const std::int64_t value =
-        hit != program.cases.end() ? hit->second : program.term.run({values}, registers_);
-    kept_values_.push_back(value);
+    const auto value = static_cast<std::uint64_t>(
+        hit != program.cases.end() ? hit->second : program.term.run({values}, registers_));
     halves_.push_back(static_cast<std::uint32_t>(value));
-    halves_.push_back(static_cast<std::uint32_t>(static_cast<std::uint64_t>(value) >> 32U));
+    halves_.push_back(static_cast<std::uint32_t>(value >> 32U));
   }
-  kept_values_.resize(begin + kept_width_);
-  halves_.resize(2 * kept_width_);
-  const auto [number, fresh] = kept_.number(std::span<const std::uint32_t>(halves_));
-  if (!fresh) kept_values_.resize(begin);
-  return number;
+  halves_.resize(kept_.length());
+  return kept_.number(std::span<const std::uint32_t>(halves_)).first;
 }
 
 void Explorer::connect(Answer at, const RowFacts& row, const std::int32_t* values) {

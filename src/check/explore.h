@@ -95,7 +95,7 @@ class Explorer {
     return columns(row)[slot - rules_.layout.inputs()];
   }
   [[nodiscard]] bool holds(const Program& program, const std::int32_t* values) const;
-  [[nodiscard]] const std::int64_t* kept_of(std::uint32_t node) const;
+  void recall(std::uint32_t kept);
   bool refuse(Refutation refutation, std::uint32_t node, const TraceStep& last);
   bool missing(std::uint32_t node, const std::int32_t* values);
 
@@ -112,9 +112,7 @@ class Explorer {
   util::WordTable pairs_{2};           ///< Of input and output letters.
   std::vector<RowFacts> facts_;        ///< Per pair.
   std::vector<std::uint64_t> row_marks_;
-  std::size_t kept_width_ = 1;
   util::WordTable kept_;  ///< The halves of the values.
-  std::vector<std::int64_t> kept_values_;
   Outlooks outlooks_;
   const Outlook* outlook_ = nullptr;        ///< From the node that is expanded,
   std::vector<std::int64_t> before_;        ///< and the values kept there.
