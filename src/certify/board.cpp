@@ -14,11 +14,6 @@ using logic::Op;
 
 namespace {
 
-bool has_next(const Formula& formula) {
-  const auto nodes = logic::postorder(formula);
-  return std::any_of(nodes.begin(), nodes.end(), [](const Formula& node) { return node.op() == Op::Next; });
-}
-
 bool comparison(const Formula& node) {
   return node.op() >= Op::Eq && node.op() <= Op::Ge;
 }
@@ -164,7 +159,7 @@ void Board::environment() {
   always_env_ = encoding_.in_range(Owner::Input);
   env_steps.push_back(encoding_.in_range(Owner::Input).next());
   for (const auto& clause : spec_.env_safety) {
-    const bool step = has_next(clause.formula) || judged_by_answers(clause.formula);
+    const bool step = clause.formula.has_next() || judged_by_answers(clause.formula);
     for (const Formula& part : conjuncts(clause.formula)) {
       const Bdd holds = encoding_.holds(part);
       env_steps.push_back(step ? holds : holds.next());
@@ -178,7 +173,7 @@ void Board::system() {
   sys_steps.push_back(encoding_.in_range(Owner::Output).next());
   sys_texts.emplace_back("the values that its outputs may have");
   for (const auto& clause : spec_.sys_safety) {
-    const bool step = has_next(clause.formula);
+    const bool step = clause.formula.has_next();
     for (const Formula& part : conjuncts(clause.formula)) {
       const Bdd holds = encoding_.holds(part);
       sys_steps.push_back(step ? holds : holds.next());

@@ -1,5 +1,7 @@
 #include "program.h"
 
+#include <heed/logic/nodes.h>
+
 #include <algorithm>
 #include <cassert>
 #include <optional>
@@ -204,15 +206,7 @@ namespace {
 class Compiler {
  public:
   Compiler(const Formula& root, const Layout& layout, Kept* kept)
-      : order_(logic::postorder(root)), layout_(layout), kept_(kept), nodes_(order_.size()) {
-    for (std::uint32_t i = 0; i < order_.size(); ++i) {
-      index_.emplace(order_[i].identity(), i);
-      Node& node = nodes_[i];
-      node.next = order_[i].op() == Op::Next;
-      for (const Formula& operand : order_[i].operands())
-        node.next = node.next || nodes_[index_.at(operand.identity())].next;
-    }
-  }
+      : order_(root), layout_(layout), kept_(kept), nodes_(order_.size()) {}
 
   Program run() {
     (kept_ ? nodes_.back().present : nodes_.back().coming) = true;
@@ -228,7 +222,6 @@ class Compiler {
 
  private:
   struct Node {
-    bool next = false;  ///< Contains Next.
     bool present = false, coming = false;
     std::uint32_t present_register = 0, coming_register = 0;
   };
@@ -245,16 +238,16 @@ class Compiler {
     const Node& from = nodes_[i];
     for (std::size_t k = 0; k < order_[i].operands().size(); ++k) {
       if (value(i, k)) continue;
-      Node& to = nodes_[index_.at(order_[i][k].identity())];
+      Node& to = nodes_[order_.operands(i)[k]];
       const bool step = order_[i].op() == Op::Next;
       if (from.coming || (from.present && step)) to.coming = true;
-      if (from.present && from.next && !step) to.present = true;
+      if (from.present && order_[i].has_next() && !step) to.present = true;
     }
   }
 
   std::uint32_t operand(std::size_t i, std::size_t k, bool coming) {
     if (const auto code = value(i, k)) return program_.emit({Code::Constant, 0, 0, *code});
-    const Node& at = nodes_[index_.at(order_[i][k].identity())];
+    const Node& at = nodes_[order_.operands(i)[k]];
     return coming ? at.coming_register : at.present_register;
   }
 
@@ -270,7 +263,7 @@ class Compiler {
       default:
         break;
     }
-    if (!coming && !nodes_[i].next) return program_.emit({Code::Kept, kept_->index(formula)});
+    if (!coming && !formula.has_next()) return program_.emit({Code::Kept, kept_->index(formula)});
     if (formula.op() == Op::Name) return program_.emit({Code::Load, layout_.slot(formula.name())});
     assert(formula.op() < Op::Next);
     const Code code = code_of(formula.op());
@@ -291,11 +284,10 @@ class Compiler {
     program_.emit({Code::Add, result, zero});
   }
 
-  std::vector<Formula> order_;
+  logic::Nodes order_;
   const Layout& layout_;
   Kept* kept_;
   std::vector<Node> nodes_;
-  std::unordered_map<const void*, std::uint32_t> index_;
   Program program_;
 };
 
@@ -307,12 +299,6 @@ Program compile_present(const Formula& formula, const Layout& layout) {
 
 Program compile_step(const Formula& formula, const Layout& layout, Kept& kept) {
   return Compiler(formula, layout, &kept).run();
-}
-
-bool has_next(const Formula& formula) {
-  for (const Formula& node : logic::postorder(formula))
-    if (node.op() == Op::Next) return true;
-  return false;
 }
 
 }  // namespace heed::check

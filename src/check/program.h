@@ -142,6 +142,4 @@ class Kept {
 /// entered.
 [[nodiscard]] Program compile_step(const logic::Formula& formula, const Layout& layout, Kept& kept);
 
-[[nodiscard]] bool has_next(const logic::Formula& formula);
-
 }  // namespace heed::check

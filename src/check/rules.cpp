@@ -65,7 +65,7 @@ void Rules::compile_memories() {
     Update update;
     const Formula stay = logic::name(memory.variable.name);
     const bool ahead = std::any_of(memory.cases.begin(), memory.cases.end(),
-                                   [](const auto& c) { return has_next(c.guard); });
+                                   [](const auto& c) { return c.guard.has_next(); });
     if (memory.variable.domain.kind == Domain::Kind::Boolean) {
       update.otherwise = compile_step(memory.update, layout, kept);
     } else if (ahead) {
@@ -89,7 +89,7 @@ void Rules::compile_system() {
   for (const auto& clause : spec.sys_init)
     sys_init.push_back({&clause, compile_present(clause.formula, layout)});
   for (const auto& clause : spec.sys_safety) {
-    if (!has_next(clause.formula)) {
+    if (!clause.formula.has_next()) {
       sys_present.push_back({&clause, compile_present(clause.formula, layout)});
       continue;
     }
@@ -106,7 +106,7 @@ void Rules::compile_justice() {
   sys_justices = spec.sys_justice.size();
   for (const auto* part : {&spec.env_justice, &spec.sys_justice})
     for (const auto& clause : *part) {
-      const bool step = has_next(clause.formula);
+      const bool step = clause.formula.has_next();
       Program program =
           step ? compile_step(clause.formula, layout, kept) : compile_present(clause.formula, layout);
       need(program);
@@ -138,7 +138,7 @@ Enumeration Rules::enumeration(bool at_start) {
   if (at_start)
     for (const auto& clause : spec.env_init) add(clause, false);
   for (const auto& clause : spec.env_safety)
-    if (const bool step = has_next(clause.formula); !step || !at_start) add(clause, step);
+    if (const bool step = clause.formula.has_next(); !step || !at_start) add(clause, step);
   for (std::uint32_t i = static_cast<std::uint32_t>(definitions.size()); i-- > 0;)
     if (wanted[layout.definition(i)])
       for (const std::uint32_t slot : definitions[i].loads()) wanted[slot] = true;

@@ -17,12 +17,6 @@ namespace {
 
 using bdd::Bdd;
 
-bool has_next(const logic::Formula& formula) {
-  const auto nodes = logic::postorder(formula);
-  return std::any_of(nodes.begin(), nodes.end(),
-                     [](const auto& node) { return node.op() == logic::Op::Next; });
-}
-
 std::size_t bits_for(const model::Domain& domain) {
   std::size_t bits = 0;
   while ((std::int64_t{1} << bits) < domain.size()) ++bits;
@@ -202,7 +196,7 @@ class Builder {
     for (const Encoded& variable : game_.variables)
       if (variable.owner == Owner::Input) add_env_step(in_range(variable).next());
     for (const auto& clause : game_.spec->env_safety) {
-      const bool state = !has_next(clause.formula) && !judged_by_answers(clause.formula);
+      const bool state = !clause.formula.has_next() && !judged_by_answers(clause.formula);
       for (const logic::Formula& conjunct : conjuncts(clause.formula)) {
         const Bdd holds =
             restricted(conjunct, {{Owner::Output, true}}, "an assumption on the environment's steps",
@@ -227,7 +221,7 @@ class Builder {
       if (variable.owner == Owner::Output) add_sys_step(in_range(variable).next(), Part::no_clause);
     for (std::size_t i = 0; i < game_.spec->sys_safety.size(); ++i) {
       const auto& clause = game_.spec->sys_safety[i];
-      const bool state = !has_next(clause.formula);
+      const bool state = !clause.formula.has_next();
       for (const logic::Formula& conjunct : conjuncts(clause.formula)) {
         const Bdd holds = encoder_.holds(conjunct);
         if (state) game_.initial_safety.push_back({holds, i});

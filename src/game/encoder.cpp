@@ -32,8 +32,11 @@ void Encoder::add_variable(const Encoded& variable) {
     is_next_[pair->next] = true;
   }
   const model::Domain& domain = variable.variable.domain;
-  if (domain.kind == model::Domain::Kind::Boolean && !symbol.word.empty()) symbol.truth = symbol.word.front();
   symbol.word.push_back(manager_.constant(false));
+  if (domain.kind == model::Domain::Kind::Boolean) {
+    symbol.truth = symbol.word.front();
+    symbol.word.clear();
+  }
   if (domain.low != 0) symbol.word = word_add(symbol.word, word_constant(manager_, domain.low));
   if (domain.kind == model::Domain::Kind::Enumeration) symbol.enumeration = &domain;
   names_.push_back(variable.variable.name);
@@ -42,7 +45,7 @@ void Encoder::add_variable(const Encoded& variable) {
 
 void Encoder::add_definition(const std::string& name, const Bdd& value) {
   names_.push_back(name);
-  symbols_.insert_or_assign(name, Symbol{value, Word{value, manager_.constant(false)}, nullptr});
+  symbols_.insert_or_assign(name, Symbol{value, {}, nullptr});
 }
 
 Bdd Encoder::has_code(bdd::Manager& manager, const Encoded& variable, std::int32_t code, bool next) {
@@ -57,36 +60,34 @@ Bdd Encoder::has_code(bdd::Manager& manager, const Encoded& variable, std::int32
 }
 
 Bdd Encoder::holds(const Formula& formula) const {
-  Memo memo;
-  for (const Formula& node : logic::postorder(formula)) {
+  Memo memo(formula);
+  for (std::size_t i = 0; i < memo.nodes.size(); ++i) {
     budget_.check();
-    memo.emplace(node.identity(), meaning(node, memo));
+    memo.meanings.push_back(meaning(i, memo));
   }
-  return truth(formula, memo);
+  return truth(memo.nodes.size() - 1, memo);
 }
 
-Encoder::Meaning Encoder::meaning(const Formula& node, const Memo& memo) const {
+Encoder::Meaning Encoder::meaning(std::size_t place, const Memo& memo) const {
+  const Formula& node = memo.nodes[place];
   switch (node.op()) {
     case Op::True:
-    case Op::False: {
-      const Bdd value = manager_.constant(node.op() == Op::True);
-      return {value, Word{value, manager_.constant(false)}, nullptr};
-    }
+    case Op::False:
+      return {manager_.constant(node.op() == Op::True), {}, nullptr};
     case Op::Name:
       return meaning_of_name(node);
     case Op::Number:
       return {std::nullopt, word_constant(manager_, node.number()), nullptr};
     case Op::Next:
-      return shifted(node, memo.at(node[0].identity()));
+      return shifted(node, memo.meanings[memo.operand(place, 0)]);
     case Op::Add:
     case Op::Sub:
     case Op::Mul:
-      return {std::nullopt, arithmetic(node, memo), nullptr};
-    default: {
-      const Bdd value =
-          node.op() >= Op::Eq && node.op() <= Op::Ge ? comparison(node, memo) : connective(node, memo);
-      return {value, Word{value, manager_.constant(false)}, nullptr};
-    }
+      return {std::nullopt, arithmetic(place, memo), nullptr};
+    default:
+      return {node.op() >= Op::Eq && node.op() <= Op::Ge ? comparison(place, memo) : connective(place, memo),
+              {},
+              nullptr};
   }
 }
 
@@ -115,11 +116,12 @@ Encoder::Meaning Encoder::shifted(const Formula& node, const Meaning& operand) c
   return result;
 }
 
-Bdd Encoder::connective(const Formula& node, const Memo& memo) const {
+Bdd Encoder::connective(std::size_t place, const Memo& memo) const {
+  const Formula& node = memo.nodes[place];
   std::vector<Bdd> operands;
   if (node.op() < Op::Not || node.op() > Op::Iff)
     refuse(node, "temporal-operator", "a temporal operator other than 'X' stands in a part of the game");
-  for (const Formula& operand : node.operands()) operands.push_back(truth(operand, memo));
+  for (const std::uint32_t operand : memo.nodes.operands(place)) operands.push_back(truth(operand, memo));
   switch (node.op()) {
     case Op::Not:
       return !operands[0];
@@ -134,13 +136,14 @@ Bdd Encoder::connective(const Formula& node, const Memo& memo) const {
   }
 }
 
-Bdd Encoder::comparison(const Formula& node, const Memo& memo) const {
-  const auto* left_values = memo.at(node[0].identity()).enumeration;
-  const auto* right_values = memo.at(node[1].identity()).enumeration;
+Bdd Encoder::comparison(std::size_t place, const Memo& memo) const {
+  const Formula& node = memo.nodes[place];
+  const auto* left_values = memo.meanings[memo.operand(place, 0)].enumeration;
+  const auto* right_values = memo.meanings[memo.operand(place, 1)].enumeration;
   // Where both could be values of the other, the right one is (spec::enumeration_value).
   if (left_values && left_values->read(plain_name(node[1]))) right_values = nullptr;
-  const Word left = term(node[0], memo, right_values);
-  const Word right = term(node[1], memo, left_values);
+  const Word left = term(memo.operand(place, 0), memo, right_values);
+  const Word right = term(memo.operand(place, 1), memo, left_values);
   switch (node.op()) {
     case Op::Eq:
       return word_equal(left, right);
@@ -157,9 +160,10 @@ Bdd Encoder::comparison(const Formula& node, const Memo& memo) const {
   }
 }
 
-Word Encoder::arithmetic(const Formula& node, const Memo& memo) const {
-  const Word left = term(node[0], memo, nullptr);
-  const Word right = term(node[1], memo, nullptr);
+Word Encoder::arithmetic(std::size_t place, const Memo& memo) const {
+  const Formula& node = memo.nodes[place];
+  const Word left = term(memo.operand(place, 0), memo, nullptr);
+  const Word right = term(memo.operand(place, 1), memo, nullptr);
   const std::size_t width =
       node.op() == Op::Mul ? left.size() + right.size() : std::max(left.size(), right.size()) + 1;
   if (width > max_word_width) refuse(node, "number-range", "the value of this term needs more than 64 bits");
@@ -168,8 +172,9 @@ Word Encoder::arithmetic(const Formula& node, const Memo& memo) const {
   return word_multiply(left, right);
 }
 
-const Bdd& Encoder::truth(const Formula& node, const Memo& memo) const {
-  const Meaning& found = memo.at(node.identity());
+const Bdd& Encoder::truth(std::size_t place, const Memo& memo) const {
+  const Formula& node = memo.nodes[place];
+  const Meaning& found = memo.meanings[place];
   if (found.truth) return *found.truth;
   if (const std::string name = plain_name(node); !name.empty()) {
     if (found.word.empty())
@@ -179,13 +184,15 @@ const Bdd& Encoder::truth(const Formula& node, const Memo& memo) const {
   refuse(node, "type", "a truth value is expected here, not a number");
 }
 
-Word Encoder::term(const Formula& node, const Memo& memo, const model::Domain* other) const {
+Word Encoder::term(std::size_t place, const Memo& memo, const model::Domain* other) const {
+  const Formula& node = memo.nodes[place];
   const std::string name = plain_name(node);
   // Beside an enumerated variable its values win over variables of the same name.
   if (other != nullptr && !name.empty())
     if (const auto code = other->read(name)) return word_constant(manager_, *code);
-  const Meaning& found = memo.at(node.identity());
+  const Meaning& found = memo.meanings[place];
   if (!found.word.empty()) return found.word;
+  if (found.truth) return {*found.truth, manager_.constant(false)};
   refuse(node, "unknown-name",
          fmt::format("'{}' is neither a variable nor a value of what it is compared with", name),
          util::suggestion(name, other ? other->values : names_));

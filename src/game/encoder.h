@@ -3,7 +3,7 @@
 #include "word.h"
 
 #include <heed/game/game.h>
-#include <heed/logic/formula.h>
+#include <heed/logic/nodes.h>
 #include <heed/util/limits.h>
 
 #include <optional>
@@ -37,19 +37,28 @@ class Encoder {
   /// What a node stands for: a truth value, a term, or a name that only its context can explain.
   struct Meaning {
     std::optional<bdd::Bdd> truth;
-    Word word;
+    Word word;  ///< Empty for a truth value: its one bit is the truth.
     const model::Domain* enumeration = nullptr;
   };
-  using Memo = std::unordered_map<const void*, Meaning>;
+  /// The nodes of a formula, and what those so far stand for.
+  struct Memo {
+    explicit Memo(const logic::Formula& formula) : nodes(formula) { meanings.reserve(nodes.size()); }
+    /// The place of the \p k th operand of a node.
+    [[nodiscard]] std::size_t operand(std::size_t place, std::size_t k) const {
+      return nodes.operands(place)[k];
+    }
+    logic::Nodes nodes;
+    std::vector<Meaning> meanings;
+  };
 
-  [[nodiscard]] Meaning meaning(const logic::Formula& node, const Memo& memo) const;
+  [[nodiscard]] Meaning meaning(std::size_t place, const Memo& memo) const;
   [[nodiscard]] Meaning meaning_of_name(const logic::Formula& node) const;
   [[nodiscard]] Meaning shifted(const logic::Formula& node, const Meaning& operand) const;
-  [[nodiscard]] bdd::Bdd connective(const logic::Formula& node, const Memo& memo) const;
-  [[nodiscard]] bdd::Bdd comparison(const logic::Formula& node, const Memo& memo) const;
-  [[nodiscard]] Word arithmetic(const logic::Formula& node, const Memo& memo) const;
-  [[nodiscard]] const bdd::Bdd& truth(const logic::Formula& node, const Memo& memo) const;
-  [[nodiscard]] Word term(const logic::Formula& node, const Memo& memo, const model::Domain* other) const;
+  [[nodiscard]] bdd::Bdd connective(std::size_t place, const Memo& memo) const;
+  [[nodiscard]] bdd::Bdd comparison(std::size_t place, const Memo& memo) const;
+  [[nodiscard]] Word arithmetic(std::size_t place, const Memo& memo) const;
+  [[nodiscard]] const bdd::Bdd& truth(std::size_t place, const Memo& memo) const;
+  [[nodiscard]] Word term(std::size_t place, const Memo& memo, const model::Domain* other) const;
   [[nodiscard]] bool mentions_next(const bdd::Bdd& function) const;
 
   bdd::Manager& manager_;

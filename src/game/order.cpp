@@ -1,5 +1,7 @@
 #include "order.h"
 
+#include <heed/logic/nodes.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -45,20 +47,20 @@ class Edges {
 
   /// The clause, and its small parts: that bits of two numbers are compared one by one shows only there.
   void add_clause(const logic::Formula& formula) {
-    add_edge(variables_of(formula));
-    std::unordered_map<const void*, Edge> small;  // empty where there is none, or more than some
-    for (const logic::Formula& node : logic::postorder(formula)) {
+    const logic::Nodes nodes(formula);
+    add_edge(variables_of(nodes.formulas()));
+    std::vector<Edge> small;  // empty where there is none, or more than some
+    small.reserve(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
       Edge edge;
-      if (node.op() == logic::Op::Name) append(edge, node.name());
-      for (const logic::Formula& operand : node.operands()) {
-        const Edge& part = small.at(operand.identity());
-        edge.insert(edge.end(), part.begin(), part.end());
-      }
+      if (nodes[i].op() == logic::Op::Name) append(edge, nodes[i].name());
+      for (const std::uint32_t operand : nodes.operands(i))
+        edge.insert(edge.end(), small[operand].begin(), small[operand].end());
       std::sort(edge.begin(), edge.end());
       edge.erase(std::unique(edge.begin(), edge.end()), edge.end());
       if (edge.size() > most_together) edge.clear();
-      if (node.operands().size() > 1) add_edge(edge);
-      small.emplace(node.identity(), std::move(edge));
+      if (nodes.operands(i).size() > 1) add_edge(edge);
+      small.push_back(std::move(edge));
     }
   }
 
@@ -80,8 +82,12 @@ class Edges {
   }
 
   [[nodiscard]] Edge variables_of(const logic::Formula& formula) const {
+    return variables_of(logic::postorder(formula));
+  }
+
+  [[nodiscard]] Edge variables_of(const std::vector<logic::Formula>& nodes) const {
     Edge edge;
-    for (const logic::Formula& node : logic::postorder(formula)) {
+    for (const logic::Formula& node : nodes) {
       if (node.op() == logic::Op::Name) append(edge, node.name());
     }
     std::sort(edge.begin(), edge.end());

@@ -1,8 +1,6 @@
 #include <heed/logic/formula.h>
 #include <heed/util/hash.h>
-#include <heed/util/word_table.h>
 
-#include <array>
 #include <atomic>
 #include <cassert>
 #include <cstdint>
@@ -15,6 +13,7 @@ namespace heed::logic {
 // global node.
 struct Formula::Node {
   Op op = Op::True;
+  bool has_next = false;
   std::uint64_t hash = 0;
   std::int64_t number = 0;
   std::string name;
@@ -108,6 +107,10 @@ std::uint64_t Formula::hash() const {
   return node_ ? node_->hash : hash_of(Op::True);
 }
 
+bool Formula::has_next() const {
+  return node_ && node_->has_next;
+}
+
 const util::Location& Formula::location() const {
   static const util::Location nowhere;
   return node_ ? node_->location : nowhere;
@@ -119,7 +122,11 @@ Formula Formula::make(Op op, std::vector<Formula> operands, util::Location locat
   auto node = std::make_shared<Node>();
   node->op = op;
   node->hash = hash_of(op);
-  for (const Formula& operand : operands) node->hash = util::mix(node->hash, operand.hash());
+  node->has_next = op == Op::Next;
+  for (const Formula& operand : operands) {
+    node->hash = util::mix(node->hash, operand.hash());
+    node->has_next = node->has_next || operand.has_next();
+  }
   node->operands = std::move(operands);
   node->location = std::move(location);
   return Formula(std::move(node));
@@ -286,34 +293,6 @@ Formula always(const Formula& a) {
 Formula eventually(const Formula& a) {
   if (a.is_true() || a.is_false()) return a;
   return Formula::make(Op::Eventually, {a});
-}
-
-std::vector<Formula> postorder(const Formula& root) {
-  struct Frame {
-    const Formula* formula;
-    std::size_t next;
-  };
-  std::vector<Formula> order;
-  util::WordTable entered(2);
-  const auto enter = [&](const Formula& formula) {
-    const auto identity = static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(formula.identity()));
-    return entered
-        .number(std::array{static_cast<std::uint32_t>(identity), static_cast<std::uint32_t>(identity >> 32)})
-        .second;
-  };
-  enter(root);
-  std::vector<Frame> open{{&root, 0}};
-  while (!open.empty()) {
-    Frame& frame = open.back();
-    if (frame.next == frame.formula->operands().size()) {
-      order.push_back(*frame.formula);
-      open.pop_back();
-      continue;
-    }
-    const Formula& operand = (*frame.formula)[frame.next++];
-    if (enter(operand)) open.push_back({&operand, 0});
-  }
-  return order;
 }
 
 }  // namespace heed::logic

@@ -72,13 +72,9 @@ Names names_of(const Formula& formula) {
 }
 
 bool is_propositional(const Formula& formula, bool next_allowed) {
-  std::unordered_set<const void*> has_next;
   for (const Formula& node : postorder(formula)) {
     if (is_temporal(node.op()) && !(next_allowed && node.op() == Op::Next)) return false;
-    bool below = false;
-    for (const Formula& operand : node.operands()) below = below || has_next.contains(operand.identity());
-    if (node.op() == Op::Next && below) return false;
-    if (below || node.op() == Op::Next) has_next.insert(node.identity());
+    if (node.op() == Op::Next && node[0].has_next()) return false;
   }
   return true;
 }

@@ -49,11 +49,6 @@ Formula bottom_up(const Formula& root, Build build) {
   return done.at(root.identity());
 }
 
-bool has_next(const Formula& formula) {
-  const auto nodes = logic::postorder(formula);
-  return std::any_of(nodes.begin(), nodes.end(), [](const Formula& node) { return node.op() == Op::Next; });
-}
-
 model::Variable as_integer(model::Variable variable) {
   if (variable.domain.kind == model::Domain::Kind::Enumeration)
     variable.domain = model::Domain::integer(variable.domain.low, variable.domain.high);
@@ -92,8 +87,8 @@ class Lowering {
     start_assumptions();
     for (const Clause& clause : spec_.sys_safety) {
       const Formula formula = plain(clause.formula);
-      if (!has_next(clause.formula)) out_.sys_init.push_back(formula);
-      out_.sys_steps.push_back(has_next(clause.formula) ? formula : one_step_later(formula));
+      if (!clause.formula.has_next()) out_.sys_init.push_back(formula);
+      out_.sys_steps.push_back(clause.formula.has_next() ? formula : one_step_later(formula));
     }
     for (const Clause& clause : spec_.env_justice) out_.env_justice.push_back(plain(clause.formula));
     for (const Clause& clause : spec_.sys_justice) out_.sys_justice.push_back(plain(clause.formula));
@@ -198,7 +193,7 @@ class Lowering {
     const auto names = logic::names_of(formula).current;
     const bool judged =
         std::any_of(names.begin(), names.end(), [this](const auto& n) { return answers_.contains(n); });
-    if (has_next(clause.formula) || judged) {
+    if (clause.formula.has_next() || judged) {
       out_.env_steps.push_back(formula);
       return;
     }

@@ -63,6 +63,9 @@ class Formula {
   /// Where it was read, for messages; takes no part in equality. Line 0 when built by a program.
   [[nodiscard]] const util::Location& location() const;
 
+  /// Whether a Next stands at it or below it. Constant time.
+  [[nodiscard]] bool has_next() const;
+
   [[nodiscard]] bool is_true() const { return op() == Op::True; }
   [[nodiscard]] bool is_false() const { return op() == Op::False; }
   friend bool operator==(const Formula& a, const Formula& b);

@@ -22,7 +22,9 @@ class WordTable {
   static constexpr Number none = UINT32_MAX;
 
   /// \param length  Letters of each word.
-  explicit WordTable(std::size_t length) : length_(length), places_(initial_places, none) {}
+  explicit WordTable(std::size_t length) : length_(length), places_(initial_places, none) {
+    letters_.reserve(initial_places / 2 * length);
+  }
 
   /// The number of \p word, and whether it is new. Expected constant time a letter. \pre length many letters
   template <std::size_t Length>

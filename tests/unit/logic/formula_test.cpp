@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <heed/logic/formula.h>
+#include <heed/logic/nodes.h>
 #include <heed/util/random.h>
 
 #include <thread>
@@ -137,6 +138,31 @@ TEST(Formula, TwoThreadsMayDropTheSameFormula) {
     second.join();
     EXPECT_TRUE(one.is_true() && other.is_true());
   }
+}
+
+TEST(Formula, KnowsWhetherANextStandsBelow) {
+  EXPECT_FALSE(Formula().has_next());
+  EXPECT_FALSE((a && !b).has_next());
+  EXPECT_TRUE(next(a).has_next());
+  EXPECT_TRUE(implies(a, b || !next(a)).has_next());
+  EXPECT_TRUE(compare(Op::Lt, a, next(b)).has_next());
+}
+
+TEST(Nodes, ListOperandsByPlace) {
+  const Formula both = a && b;
+  const Formula root = implies(both, next(both) || a);
+  const Nodes nodes(root);
+  ASSERT_EQ(nodes.size(), 6U);
+  EXPECT_EQ(nodes[5].identity(), root.identity());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    ASSERT_EQ(nodes.operands(i).size(), nodes[i].operands().size());
+    for (std::size_t k = 0; k < nodes.operands(i).size(); ++k) {
+      EXPECT_LT(nodes.operands(i)[k], i);
+      EXPECT_EQ(nodes[nodes.operands(i)[k]].identity(), nodes[i][k].identity());
+    }
+  }
+  EXPECT_EQ(Nodes(Formula()).size(), 1U);
+  EXPECT_TRUE(Nodes(Formula()).operands(0).empty());
 }
 
 }  // namespace
