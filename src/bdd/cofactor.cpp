@@ -6,12 +6,13 @@
 namespace heed::bdd {
 
 Edge cofactor(Kernel& kernel, Edge f, Edge cube) {
+  if (f <= 1) return f;
   const std::uint32_t top = kernel.level(f);
   while (kernel.level(cube) < top) {
     const Edge high = kernel.high(cube);
     cube = high == false_edge ? kernel.low(cube) : high;
   }
-  if (cube == true_edge || f <= 1) return f;
+  if (cube == true_edge) return f;
   const Edge flip = f & 1U;
   f ^= flip;
   if (kernel.level(cube) == top) {

@@ -15,6 +15,7 @@ std::vector<std::uint32_t> support_variables(Kernel& kernel, Edge f) {
   const Walk below(kernel, roots);
   for (std::size_t i = 1; i < below.size(); ++i) found[below.node(i).variable] = true;
   std::vector<std::uint32_t> variables;
+  variables.reserve(std::min(below.size() - 1, kernel.variable_count()));
   for (std::uint32_t v = 1; v < found.size(); ++v) {
     if (found[v]) variables.push_back(v);
   }

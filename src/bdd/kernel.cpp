@@ -35,6 +35,7 @@ Kernel::Kernel(Manager* manager, const ManagerOptions& given, util::Budget* limi
   tables_.resize(1);
   level_of_.assign(1, UINT32_MAX);
   next_of_.assign(1, 0);
+  work_check_ = work_bound();
   current_of_.assign(1, 0);
   group_of_.assign(1, 0);
   stack_.resize(stack_per_level * 8);
@@ -148,7 +149,7 @@ void Kernel::refuel() {
   fuel_ = fuel_per_check;
   counts_.steps += fuel_per_check;
   if (budget != nullptr) budget->check();
-  if (counts_.steps - steps_at_growth_ < cache.entries() * 2) return;
+  if (counts_.steps - steps_at_growth_ < cache.entries() * 4) return;
   const unsigned growth = cache.growth();
   if (growth == 0 || cache.entries() > used_) return;
   reserve(cache.bytes() << growth);

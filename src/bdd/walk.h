@@ -14,7 +14,10 @@ namespace heed::bdd {
 /// nodes visited, whatever else the manager holds.
 class Walk {
  public:
-  explicit Walk(Kernel& kernel) : nodes_(kernel.nodes_.get()) { visit(0); }
+  explicit Walk(Kernel& kernel) : nodes_(kernel.nodes_.get()) {
+    visited_.reserve(usual);
+    visit(0);
+  }
   Walk(Kernel& kernel, std::span<const Edge> roots);
   Walk(const Walk&) = delete;
   Walk& operator=(const Walk&) = delete;
@@ -37,6 +40,7 @@ class Walk {
   /// Set in a link that holds a number; indices stay far below it.
   static constexpr std::uint32_t lent = std::uint32_t{1} << 31;
   static_assert(node_limit <= lent);
+  static constexpr std::size_t usual = 64;  ///< Most diagrams are small.
 
   void visit(std::uint32_t index);
 
