@@ -83,11 +83,8 @@ std::uint32_t MealyBuilder::output_letter(const Valuation& letter) {
   return numbered(output_letters_, letter);
 }
 
-Mealy MealyBuilder::finish() {
-  machine_.input_letters = valuations(input_letters_);
-  machine_.output_letters = valuations(output_letters_);
-  const auto input_place = sort_letters(machine_.input_letters);
-  const auto output_place = sort_letters(machine_.output_letters);
+/// Takes the rows, and counts those of each state into the machine.
+std::vector<Mealy::Transition> MealyBuilder::rows_by_state() {
   const auto end_of = [&](std::size_t run) {
     return run + 1 < runs_.size() ? runs_[run + 1].begin : rows_.size();
   };
@@ -95,13 +92,24 @@ Mealy MealyBuilder::finish() {
   for (std::size_t run = 0; run < runs_.size(); ++run)
     machine_.first[runs_[run].state + 1] += static_cast<std::uint32_t>(end_of(run) - runs_[run].begin);
   std::partial_sum(machine_.first.begin(), machine_.first.end(), machine_.first.begin());
-  machine_.transitions.resize(rows_.size());
+  if (std::ranges::is_sorted(runs_, {}, &Run::state)) return std::move(rows_);
+  std::vector<Mealy::Transition> sorted(rows_.size());
   std::vector<std::uint32_t> place(machine_.first.begin(), machine_.first.end() - 1);
-  auto row = rows_.begin();
   for (std::size_t run = 0; run < runs_.size(); ++run)
-    for (std::size_t i = runs_[run].begin; i < end_of(run); ++i, ++row)
-      machine_.transitions[place[runs_[run].state]++] = {input_place[row->input], output_place[row->output],
-                                                         row->next, row->fallback};
+    for (std::size_t i = runs_[run].begin; i < end_of(run); ++i) sorted[place[runs_[run].state]++] = rows_[i];
+  return sorted;
+}
+
+Mealy MealyBuilder::finish() {
+  machine_.input_letters = valuations(input_letters_);
+  machine_.output_letters = valuations(output_letters_);
+  const auto input_place = sort_letters(machine_.input_letters);
+  const auto output_place = sort_letters(machine_.output_letters);
+  machine_.transitions = rows_by_state();
+  for (Mealy::Transition& row : machine_.transitions) {
+    row.input = input_place[row.input];
+    row.output = output_place[row.output];
+  }
   for (std::uint32_t state = 0; state < states_; ++state)
     std::sort(machine_.transitions.begin() + machine_.first[state],
               machine_.transitions.begin() + machine_.first[state + 1],

@@ -24,6 +24,9 @@ using game::Owner;
 /// How many answers are looked at for one that leads to a state that is there already.
 constexpr std::size_t most_answers = 16;
 
+/// Most machines have fewer rows.
+constexpr std::size_t usual_rows = std::size_t{1} << 16;
+
 /// The mode of the first step, which no later one shares.
 constexpr std::uint32_t no_mode = UINT32_MAX;
 
@@ -92,6 +95,7 @@ class Extractor {
   Extracted run() {
     const Future start = initial_future();
     states_.number({start.legal, start.rule, 0, 0});
+    builder_.reserve(usual_rows);
     builder_.add_state();
     for (std::uint32_t i = 0; i < states_.size(); ++i) expand(i);
     add_assumptions();

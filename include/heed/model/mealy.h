@@ -6,7 +6,6 @@
 #include <heed/util/word_table.h>
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -67,6 +66,9 @@ class MealyBuilder {
  public:
   MealyBuilder(std::string name, std::vector<Variable> inputs, std::vector<Output> outputs);
   std::uint32_t add_state();
+  /// Room for \p count rows: up to there, adding moves none. Room that is not used takes addresses, not
+  /// memory.
+  void reserve(std::size_t count) { rows_.reserve(count); }
   void add(std::uint32_t state, const Valuation& input, const Valuation& output, std::uint32_t next,
            bool fallback = false);
   /// The same with letters that were interned before: for rows whose letters repeat.
@@ -88,8 +90,10 @@ class MealyBuilder {
     std::uint32_t state;
     std::size_t begin;
   };
+  [[nodiscard]] std::vector<Mealy::Transition> rows_by_state();
+
   Mealy machine_;
-  std::deque<Mealy::Transition> rows_;  ///< Grows without moving what is there.
+  std::vector<Mealy::Transition> rows_;
   std::vector<Run> runs_;
   util::WordTable input_letters_, output_letters_;
   std::uint32_t states_ = 0;
