@@ -34,12 +34,11 @@ CofactorTable::Id CofactorTable::root(std::span<const Bdd> functions) {
 CofactorTable::Id CofactorTable::root(const CofactorTable& from, Id id, std::span<const std::uint32_t> places,
                                       const Bdd& cube) {
   assert(places.size() == width_ && from.kernel_ == kernel_ && cube.kernel_ == kernel_);
-  static_cast<void>(kernel_->run([&] {
+  kernel_->run_many([&] {
     now_[0] = 0;
     for (std::size_t i = 0; i < width_; ++i)
       now_[1 + i] = cofactor(*kernel_, from.edge(id, places[i]), cube.edge_);
-    return true_edge;
-  }));
+  });
   return intern();
 }
 
@@ -47,11 +46,10 @@ CofactorTable::Id CofactorTable::make_step(Id id, bool value) {
   const std::uint32_t depth = vectors_[id][0];
   assert(depth < literals_.size());
   const Edge literal = literals_[depth][value ? 1 : 0].edge_;
-  static_cast<void>(kernel_->run([&] {
+  kernel_->run_many([&] {
     now_[0] = depth + 1;
     for (std::size_t i = 0; i < width_; ++i) now_[1 + i] = cofactor(*kernel_, edge(id, i), literal);
-    return true_edge;
-  }));
+  });
   const Id next = intern();
   steps_[id].next[value ? 1 : 0] = next;
   return next;

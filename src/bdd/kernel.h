@@ -74,10 +74,17 @@ class Kernel {
   /// Runs \p operation, which returns an edge, as one operation of the manager.
   template <typename Operation>
   Bdd run(Operation&& operation) {
+    Edge result = true_edge;
+    run_many([&] { result = operation(); });
+    return Bdd(this, result);
+  }
+  /// Runs \p operation, which keeps what it finds by itself, as one operation of the manager.
+  template <typename Operation>
+  void run_many(Operation&& operation) {
     prepare();
     for (;;) {
       try {
-        return Bdd(this, operation());
+        return operation();
       } catch (const Restart&) {
         stack_top_ = 0;
         reorder_after_restart();

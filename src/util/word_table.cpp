@@ -4,7 +4,7 @@ namespace heed::util {
 
 namespace {
 /// Places up to which a table grows by four: small ones cost little and grow often.
-constexpr std::size_t most_for_four = std::size_t{1} << 16;
+constexpr std::size_t most_for_four = std::size_t{1} << 12;
 }  // namespace
 
 WordTable::Number WordTable::add(std::span<const std::uint32_t> word, std::size_t place) {
