@@ -1,10 +1,10 @@
 #include "extract.h"
 
 #include "latch.h"
+#include "routes.h"
 #include "states.h"
 #include "steps.h"
 #include "symbolic.h"
-#include "walk.h"
 
 #include <heed/spec/gr1.h>
 
@@ -30,12 +30,6 @@ constexpr std::size_t usual_rows = std::size_t{1} << 16;
 /// The mode of the first step, which no later one shares.
 constexpr std::uint32_t no_mode = UINT32_MAX;
 
-/// Where a bit stands in a valuation.
-struct Place {
-  std::size_t variable;
-  std::int32_t weight;
-};
-
 std::vector<Place> places(const game::Game& game, Owner owner) {
   std::vector<Place> result;
   std::size_t index = 0;
@@ -48,6 +42,14 @@ std::vector<Place> places(const game::Game& game, Owner owner) {
   return result;
 }
 
+/// Of the input bits, from the top of the diagrams down.
+std::vector<Place> input_route(const game::Game& game) {
+  const std::vector<Place> all = places(game, Owner::Input);
+  std::vector<Place> route;
+  for (const std::size_t i : by_level(game, game.bits(Owner::Input, true))) route.push_back(all[i]);
+  return route;
+}
+
 model::Valuation lowest(const game::Game& game, Owner owner) {
   model::Valuation values;
   for (const game::Encoded& variable : game.variables)
@@ -56,9 +58,10 @@ model::Valuation lowest(const game::Game& game, Owner owner) {
 }
 
 /// Lists the machine state by state. A state is what is left of the legal inputs and of the vector of
-/// functions (rule, updates) once the play's current values are put in. Its letters are listed by walking
-/// these two and, along the same input bits, the rules of all goals over the step to come with the columns;
-/// an answer's bits are then put in at once. What follows from equal rests is looked up. \cite ehlers.16.cav
+/// functions (rule, updates) once the play's current values are put in. Its letters are listed by following
+/// the routes of the legal inputs with its rule; the routes also lead to what is left of the rules of all
+/// goals over the step to come with the columns, into which an answer's bits are then put at once. What
+/// follows from equal rests is looked up. \cite ehlers.16.cav
 class Extractor {
  public:
   Extractor(const game::Game& game, const game::Region& region, util::Budget& budget, const Options& options)
@@ -71,7 +74,6 @@ class Extractor {
         input_places_(places(game, Owner::Input)),
         output_places_(places(game, Owner::Output)),
         memory_places_(places(game, Owner::Memory)),
-        input_order_(by_level(game, game.bits(Owner::Input, true))),
         steps_(game, region, budget),
         legal_(steps_.legal()),
         rules_(steps_.rules()),
@@ -84,9 +86,9 @@ class Extractor {
         choices_(output_places_.size()),
         builder_(game.spec->name, game.spec->inputs, spec::controller_outputs(*game.spec)),
         latch_(game.spec->inputs, options.on_violation == OnViolation::Latch),
+        routes_(legal_, letters_, input_route(game), lowest(game, Owner::Input), builder_),
         lowest_(lowest(game, Owner::Output)),
-        outputs_(lowest_.size()),
-        letter_(lowest(game, Owner::Input)) {
+        outputs_(lowest_.size()) {
     const model::Valuation memories = lowest(game, Owner::Memory);
     lowest_.insert(lowest_.end(), memories.begin(), memories.end());
     for (std::size_t i = 0; i < output_bits_.size(); ++i) place_of_output_[output_bits_[i]] = i;
@@ -96,6 +98,7 @@ class Extractor {
     const Future start = initial_future();
     states_.number({start.legal, start.rule, 0, 0});
     builder_.reserve(usual_rows);
+    reactions_.reserve(usual_rows);
     builder_.add_state();
     for (std::uint32_t i = 0; i < states_.size(); ++i) expand(i);
     add_assumptions();
@@ -140,7 +143,7 @@ class Extractor {
     } else {
       mode_ = first_step_ ? no_mode : key_.goal;
     }
-    if (!legal_.is_false(key_.legal, 0)) walk(0, Letters::root, {key_.legal, key_.future});
+    if (!legal_.is_false(key_.legal, 0)) follow(routes_.of(key_.legal));
     if (options_.on_violation == OnViolation::Latch)
       latch_.fill(key_.observation, [&](const model::Valuation& letter, const LegalRow& row) {
         count_row();
@@ -162,18 +165,14 @@ class Extractor {
     });
   }
 
-  void walk(std::size_t depth, Letters::Id path, const Future& left) {
-    if (depth == input_order_.size()) {
-      step(letters_.leaf(path, letter_, builder_), left.rule);
-      return;
-    }
-    const Place& place = input_places_[input_order_[depth]];
-    for (const bool value : {false, true}) {
-      const CofactorTable::Id legal = legal_.step(left.legal, value);
-      if (legal_.is_false(legal, 0)) continue;
-      if (value) letter_[place.variable] += place.weight;
-      walk(depth + 1, letters_.step(path, value), {legal, rules_.step(left.rule, value)});
-      if (value) letter_[place.variable] -= place.weight;
+  /// Steps to all letters of the state, in the order of their listing.
+  void follow(std::span<const Routes::Branch> branches) {
+    lefts_.resize(std::max(lefts_.size(), branches.size()));
+    lefts_[0] = key_.future;
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+      const Routes::Branch& branch = branches[i];
+      if (i != 0) lefts_[i] = rules_.step(lefts_[branch.from], branch.value);
+      if (branch.letter != Routes::none) step(letters_.leaf(branch.letter), lefts_[i]);
     }
   }
 
@@ -185,22 +184,26 @@ class Extractor {
     relies_ = relies_ || reaction.waits;
     count_row();
     const bool latching = options_.on_violation == OnViolation::Latch;
+    if (latching) letter_ = builder_.input_valuation(letter.number);
     if (latching || reaction.next == Reaction::unknown) reaction.next = next_state(reaction);
     builder_.add(from_, {letter.number, reaction.output, reaction.next, false});
     if (latching) latch_.add(letter_, {reaction.output, reaction.next});
   }
 
   [[nodiscard]] Reaction react(const Situation& at) {
-    const Answer answer = answer_to(at);
-    const End end = end_of(at, answer);
+    const auto [answer, end] = choose(at);
     return {step_letters_[end.step], steps_.leads_to(end), end.goal, answer.waits, Reaction::unknown};
   }
 
-  /// Where an answer leads, but for what is left of the rules there.
-  [[nodiscard]] End end_of(const Situation& at, const Answer& answer) {
+  /// An answer and where it leads, but for what is left of the rules there.
+  struct Choice {
+    Answer answer;
+    End end;
+  };
+  [[nodiscard]] Choice leading(const Situation& at, const Answer& answer) {
     const auto [step, added] = steps_.number(at.future, answer.bits);
     if (added) add_letter(step, answer.bits);
-    return {step, steps_.goal_after(step, answer.met ? (key_.goal + 1) % goals_ : key_.goal)};
+    return {answer, {step, steps_.goal_after(step, answer.met ? (key_.goal + 1) % goals_ : key_.goal)}};
   }
 
   void add_letter(std::uint32_t step, std::uint32_t bits) {
@@ -243,29 +246,27 @@ class Extractor {
 
   /// An answer that leads to a state that is there already, the one found first, keeps the machine small.
   /// Where none does, the least is taken: in the same situation always the same.
-  [[nodiscard]] Answer answer_to(const Situation& at) {
-    if (first_step_) return first_answer(at.left);
-    if (moore_) return later_answer(at.left, choice_);
+  [[nodiscard]] Choice choose(const Situation& at) {
+    if (first_step_) return leading(at, first_answer(at.left));
+    if (moore_) return leading(at, later_answer(at.left, choice_));
     if (answers_.size() <= at.left) answers_.resize(at.left + 1);
     if (answers_[at.left].count == 0) answers_[at.left] = list_answers(at.left);
     const std::span<const Answer> known{&answer_list_[answers_[at.left].first], answers_[at.left].count};
-    return known[known.size() == 1 ? 0 : best_of(at, known)];
+    return known.size() == 1 ? leading(at, known[0]) : best_of(at, known);
   }
 
   /// Steps that were followed before are asked first: most often one of them does.
-  [[nodiscard]] std::uint32_t best_of(const Situation& at, std::span<const Answer> answers) {
-    std::uint32_t best = 0, least = States::none;
-    const auto compare = [&](std::uint32_t i, const StateKey& key) {
-      const std::uint32_t state = states_.find(key);
-      if (state < least) best = i, least = state;
-    };
-    for (std::uint32_t i = 0; i < answers.size(); ++i) {
-      const End end = end_of(at, answers[i]);
-      if (steps_.is_known(end)) compare(i, key_of(steps_.leads_to(end), end.goal));
-    }
-    for (std::uint32_t i = 0; least == States::none && i < answers.size(); ++i) {
-      const End end = end_of(at, answers[i]);
-      compare(i, key_of(steps_.leads_to(end), end.goal));
+  [[nodiscard]] Choice best_of(const Situation& at, std::span<const Answer> answers) {
+    Choice best = leading(at, answers[0]);
+    std::uint32_t least = States::none;
+    for (const bool followed : {true, false}) {
+      for (const Answer& answer : answers) {
+        const Choice choice = leading(at, answer);
+        if (followed && !steps_.is_known(choice.end)) continue;
+        const std::uint32_t state = states_.find(key_of(steps_.leads_to(choice.end), choice.end.goal));
+        if (state < least) best = choice, least = state;
+      }
+      if (least != States::none) break;
     }
     return best;
   }
@@ -346,7 +347,6 @@ class Extractor {
   bool moore_;
   std::size_t goals_;
   std::vector<Place> input_places_, output_places_, memory_places_;
-  std::vector<std::size_t> input_order_;
   Steps steps_;
   CofactorTable& legal_;  ///< Of steps_: legal inputs,
   CofactorTable& rules_;  ///< and all else of the future of one state.
@@ -369,6 +369,7 @@ class Extractor {
   std::vector<std::uint32_t> builders_letters_;
   model::MealyBuilder builder_;
   LatchRows latch_;
+  Routes routes_;
   model::Valuation lowest_;  ///< Of outputs, then memories,
   std::size_t outputs_;      ///< of which this many are outputs.
   std::uint64_t rows_ = 0;
@@ -380,7 +381,8 @@ class Extractor {
   bool first_step_ = true;
   std::vector<bool> choice_;  ///< Moore: its answer.
   std::uint32_t mode_ = 0;    ///< Its number in modes_; where no output is chosen before, the goal.
-  model::Valuation letter_;
+  std::vector<CofactorTable::Id> lefts_;  ///< What is left of its rules, by branch.
+  model::Valuation letter_;               ///< Where the next state may depend on it.
 };
 
 }  // namespace

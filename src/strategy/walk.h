@@ -13,6 +13,12 @@ namespace heed::strategy {
 
 using bdd::CofactorTable;
 
+/// Where a bit stands in a valuation.
+struct Place {
+  std::size_t variable;
+  std::int32_t weight;
+};
+
 /// All that a reaction depends on, but for the states that are there.
 struct Situation {
   CofactorTable::Id left;    ///< Of the state, once the observation is put in.
@@ -103,11 +109,12 @@ class Letters {
     const Id known = nodes_[path].next[value ? 1 : 0];
     return known != root ? known : add(path, value);
   }
-  [[nodiscard]] Leaf leaf(Id path, const model::Valuation& letter, model::MealyBuilder& builder) {
-    Node& node = nodes_[path];
-    if (node.letter == unknown) node.letter = builder.input_letter(letter);
-    return {node.letter, node.future};
+  /// Says which letter a path with all inputs spells.
+  void name(Id path, const model::Valuation& letter, model::MealyBuilder& builder) {
+    if (nodes_[path].letter == unknown) nodes_[path].letter = builder.input_letter(letter);
   }
+  /// \pre name() was called for \p path
+  [[nodiscard]] Leaf leaf(Id path) const { return {nodes_[path].letter, nodes_[path].future}; }
 
  private:
   static constexpr std::uint32_t unknown = UINT32_MAX;

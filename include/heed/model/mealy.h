@@ -79,6 +79,9 @@ class MealyBuilder {
   /// Numbers a letter, the same for equal valuations; valid for add() only.
   [[nodiscard]] std::uint32_t input_letter(const Valuation& letter);
   [[nodiscard]] std::uint32_t output_letter(const Valuation& letter);
+  [[nodiscard]] Valuation input_valuation(std::uint32_t letter) const {
+    return {input_letters_[letter].begin(), input_letters_[letter].end()};
+  }
   void add_assumption(std::string formula) { machine_.assumptions.push_back(std::move(formula)); }
   void add_note(std::string note) { machine_.notes.push_back(std::move(note)); }
   /// \pre no (state, input) was added twice. The builder is spent.
