@@ -83,6 +83,14 @@ std::uint32_t MealyBuilder::output_letter(const Valuation& letter) {
   return numbered(output_letters_, letter);
 }
 
+std::size_t MealyBuilder::bytes_to_finish() const {
+  constexpr std::size_t of_block = 16;  // what an allocation takes besides
+  const auto letters = [](const util::WordTable& words) {
+    return words.size() * (sizeof(Valuation) + of_block + words.length() * sizeof(std::int32_t));
+  };
+  return letters(input_letters_) + letters(output_letters_) + states_ * sizeof(std::uint32_t);
+}
+
 /// Takes the rows, and counts those of each state into the machine.
 std::vector<Mealy::Transition> MealyBuilder::rows_by_state() {
   const auto end_of = [&](std::size_t run) {

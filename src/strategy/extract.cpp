@@ -24,31 +24,13 @@ using game::Owner;
 /// How many answers are looked at for one that leads to a state that is there already.
 constexpr std::size_t most_answers = 16;
 
+constexpr std::size_t rows_per_check = 256;
+
 /// Most machines have fewer rows.
 constexpr std::size_t usual_rows = std::size_t{1} << 16;
 
 /// The mode of the first step, which no later one shares.
 constexpr std::uint32_t no_mode = UINT32_MAX;
-
-std::vector<Place> places(const game::Game& game, Owner owner) {
-  std::vector<Place> result;
-  std::size_t index = 0;
-  for (const game::Encoded& variable : game.variables) {
-    if (variable.owner != owner) continue;
-    for (std::size_t i = variable.bits.size(); i-- > 0;)
-      result.push_back({index, static_cast<std::int32_t>(std::int64_t{1} << i)});
-    ++index;
-  }
-  return result;
-}
-
-/// Of the input bits, from the top of the diagrams down.
-std::vector<Place> input_route(const game::Game& game) {
-  const std::vector<Place> all = places(game, Owner::Input);
-  std::vector<Place> route;
-  for (const std::size_t i : by_level(game, game.bits(Owner::Input, true))) route.push_back(all[i]);
-  return route;
-}
 
 model::Valuation lowest(const game::Game& game, Owner owner) {
   model::Valuation values;
@@ -106,6 +88,7 @@ class Extractor {
       builder_.add_note(
           "somewhere it makes no progress of its own and waits for what is assumed to happen again and "
           "again");
+    budget_.reserve(builder_.bytes_to_finish());
     return {builder_.finish(), relies_};
   }
 
@@ -239,9 +222,20 @@ class Extractor {
   }
 
   void count_row() {
-    if ((++rows_ & 0xff) == 0) budget_.check();
+    if (++rows_ % rows_per_check == 0) ask_for_more();
     if (options_.max_rows != 0 && rows_ > options_.max_rows)
       throw util::LimitExceeded(util::LimitExceeded::Kind::Size, "the strategy has too many rows to list");
+  }
+
+  /// What the next rows may make grow.
+  void ask_for_more() {
+    budget_.check();
+    const std::size_t vectors = rows_per_check * (input_places_.size() + 1);
+    const std::size_t bytes = builder_.bytes_to_grow(rows_per_check) + states_.bytes_to_grow(rows_per_check) +
+                              situations_.bytes_to_grow(rows_per_check) +
+                              util::bytes_to_grow(reactions_, rows_per_check) +
+                              legal_.bytes_to_grow(vectors) + rules_.bytes_to_grow(vectors);
+    if (bytes != 0) budget_.reserve(bytes);
   }
 
   /// An answer that leads to a state that is there already, the one found first, keeps the machine small.

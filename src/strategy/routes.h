@@ -2,11 +2,18 @@
 
 #include "walk.h"
 
+#include <heed/game/game.h>
+
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace heed::strategy {
+
+/// Of the bits of \p owner, in the order of the variables.
+[[nodiscard]] std::vector<Place> places(const game::Game& game, game::Owner owner);
+/// Of the input bits, from the top of the diagrams down.
+[[nodiscard]] std::vector<Place> input_route(const game::Game& game);
 
 /// The letters that may come where a set of inputs is legal, as the tree of their beginnings in preorder:
 /// many states share a set, and each of them follows the same branches with what is left of its own rules.

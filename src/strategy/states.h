@@ -32,6 +32,7 @@ class States {
     return {word[0], word[1], word[2], std::uint64_t{word[3]} << 32 | word[4]};
   }
   [[nodiscard]] std::size_t size() const { return words_.size(); }
+  [[nodiscard]] std::size_t bytes_to_grow(std::size_t more) const { return words_.bytes_to_grow(more); }
 
  private:
   static std::array<std::uint32_t, 5> word_of(const StateKey& key) {

@@ -38,6 +38,10 @@ class CofactorTable {
   }
 
   [[nodiscard]] std::size_t width() const { return width_; }
+  /// Bytes that are taken at once on the way to \p more vectors.
+  [[nodiscard]] std::size_t bytes_to_grow(std::size_t more) const {
+    return vectors_.bytes_to_grow(more) + util::bytes_to_grow(steps_, more);
+  }
   [[nodiscard]] bool is_true(Id id, std::size_t place) const { return edge(id, place) == 0; }
   [[nodiscard]] bool is_false(Id id, std::size_t place) const { return edge(id, place) == 1; }
   [[nodiscard]] Bdd function(Id id, std::size_t place) const { return {kernel_, edge(id, place)}; }

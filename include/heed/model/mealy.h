@@ -69,6 +69,8 @@ class MealyBuilder {
   /// Room for \p count rows: up to there, adding moves none. Room that is not used takes addresses, not
   /// memory.
   void reserve(std::size_t count) { rows_.reserve(count); }
+  /// Bytes that are taken at once on the way to \p more rows.
+  [[nodiscard]] std::size_t bytes_to_grow(std::size_t more) const { return util::bytes_to_grow(rows_, more); }
   void add(std::uint32_t state, const Valuation& input, const Valuation& output, std::uint32_t next,
            bool fallback = false);
   /// The same with letters that were interned before: for rows whose letters repeat.
@@ -84,6 +86,8 @@ class MealyBuilder {
   }
   void add_assumption(std::string formula) { machine_.assumptions.push_back(std::move(formula)); }
   void add_note(std::string note) { machine_.notes.push_back(std::move(note)); }
+  /// About as many bytes as finish() takes besides those that it holds: letters become values of their own.
+  [[nodiscard]] std::size_t bytes_to_finish() const;
   /// \pre no (state, input) was added twice. The builder is spent.
   [[nodiscard]] Mealy finish();
 

@@ -12,6 +12,12 @@
 
 namespace heed::util {
 
+/// Bytes that are taken at once on the way to \p more items, because those that are there have to move.
+template <typename Item>
+[[nodiscard]] std::size_t bytes_to_grow(const std::vector<Item>& items, std::size_t more) {
+  return items.size() + more > items.capacity() ? items.size() * sizeof(Item) : 0;
+}
+
 /// Words of one length, numbered from 0 in the order of their discovery: equal words are one number. All of
 /// them lie in one block of memory, without an allocation each; nothing depends on an order of hashing.
 /// Memory: 4 bytes a letter, and 8 to 16 a word for finding it (up to 32 in a small table). \pre fewer than
@@ -48,6 +54,11 @@ class WordTable {
   }
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::size_t length() const { return length_; }
+  /// Bytes that are taken at once on the way to \p more words, because what is there has to move.
+  [[nodiscard]] std::size_t bytes_to_grow(std::size_t more) const {
+    return util::bytes_to_grow(letters_, more * length_) +
+           (2 * (size_ + more) > places_.size() ? 2 * places_.size() * sizeof(Number) : 0);
+  }
   /// Those of all words, one after the other.
   [[nodiscard]] const std::vector<std::uint32_t>& letters() const { return letters_; }
 

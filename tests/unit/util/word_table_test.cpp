@@ -47,5 +47,13 @@ TEST(WordTable, NumbersLikeAMap) {
   }
 }
 
+TEST(WordTable, TellsWhatGrowingTakesAtOnce) {
+  WordTable table(2);
+  EXPECT_EQ(table.bytes_to_grow(32), 0U);
+  for (std::uint32_t i = 0; i < 32; ++i) table.number(std::array{i, i});
+  EXPECT_GE(table.bytes_to_grow(1), 32 * 2 * sizeof(std::uint32_t));
+  EXPECT_EQ(bytes_to_grow(table.letters(), 0), 0U);
+}
+
 }  // namespace
 }  // namespace heed::util
