@@ -35,10 +35,10 @@ Kernel::Kernel(Manager* manager, const ManagerOptions& given, util::Budget* limi
   tables_.resize(1);
   level_of_.assign(1, UINT32_MAX);
   next_of_.assign(1, 0);
-  work_check_ = work_bound();
   current_of_.assign(1, 0);
   group_of_.assign(1, 0);
   stack_.resize(stack_per_level * 8);
+  work_check_ = work_bound();
 }
 
 std::uint32_t Kernel::add_variables(std::size_t count, bool paired) {
@@ -145,6 +145,7 @@ void Kernel::find_slots() {
   if (free_ == 0) grow_nodes(std::size_t{capacity_} + 1);
 }
 
+/// The cache grows once the work since it last did is worth some times the touching of all its entries.
 void Kernel::refuel() {
   fuel_ = fuel_per_check;
   counts_.steps += fuel_per_check;

@@ -341,10 +341,13 @@ void Explorer::connect(Answer at, const RowFacts& row, const std::int32_t* value
   last_edge_[target] = product_.edges.size();
 }
 
-/// An edge from the expanded node with these justices: letters that do the same are one edge.
+/// An edge from the expanded node with these justices: letters that do the same are one edge. Not all are
+/// looked at, so that letters stay linear: one that is there twice does no harm.
 bool Explorer::has_edge(std::uint32_t target) const {
+  constexpr int most = 32;
   const std::size_t first = product_.first.back(), words = product_.words;
-  for (std::size_t edge = last_edge_[target]; edge > first; edge = previous_edge_[edge - 1 - first]) {
+  std::size_t edge = last_edge_[target];
+  for (int looked = 0; edge > first && looked < most; ++looked, edge = previous_edge_[edge - 1 - first]) {
     std::size_t same = 0;
     while (same < words && step_marks_[same] == product_.marks[(edge - 1) * words + same]) ++same;
     if (same == words) return true;

@@ -29,7 +29,7 @@ struct Product {
   std::vector<Node> nodes;
   std::vector<std::size_t> first;  ///< Edges of node n: first[n] ... first[n + 1] - 1.
   std::vector<Edge>
-      edges;  ///< Without repetition of (target, justices). Empty if no system justice asks for them.
+      edges;  ///< Hardly a (target, justices) is repeated. Empty if no system justice asks for them.
   std::vector<std::uint64_t>
       marks;  ///< Per edge `words` words: bit i = justice i is met, environment's first.
   std::size_t words = 0;

@@ -70,7 +70,8 @@ class Extractor {
         latch_(game.spec->inputs, options.on_violation == OnViolation::Latch),
         routes_(legal_, letters_, input_route(game), lowest(game, Owner::Input), builder_),
         lowest_(lowest(game, Owner::Output)),
-        outputs_(lowest_.size()) {
+        outputs_(lowest_.size()),
+        lefts_(input_places_.size() + 1) {
     const model::Valuation memories = lowest(game, Owner::Memory);
     lowest_.insert(lowest_.end(), memories.begin(), memories.end());
     for (std::size_t i = 0; i < output_bits_.size(); ++i) place_of_output_[output_bits_[i]] = i;
@@ -126,7 +127,9 @@ class Extractor {
     } else {
       mode_ = first_step_ ? no_mode : key_.goal;
     }
-    if (!legal_.is_false(key_.legal, 0)) follow(routes_.of(key_.legal));
+    lefts_[0] = key_.future;
+    if (!legal_.is_false(key_.legal, 0))
+      routes_.each(key_.legal, [this](const Routes::Branch& branch) { follow(branch); });
     if (options_.on_violation == OnViolation::Latch)
       latch_.fill(key_.observation, [&](const model::Valuation& letter, const LegalRow& row) {
         count_row();
@@ -148,15 +151,9 @@ class Extractor {
     });
   }
 
-  /// Steps to all letters of the state, in the order of their listing.
-  void follow(std::span<const Routes::Branch> branches) {
-    lefts_.resize(std::max(lefts_.size(), branches.size()));
-    lefts_[0] = key_.future;
-    for (std::size_t i = 0; i < branches.size(); ++i) {
-      const Routes::Branch& branch = branches[i];
-      if (i != 0) lefts_[i] = rules_.step(lefts_[branch.from], branch.value);
-      if (branch.letter != Routes::none) step(letters_.leaf(branch.letter), lefts_[i]);
-    }
+  void follow(const Routes::Branch& branch) {
+    if (branch.depth != 0) lefts_[branch.depth] = rules_.step(lefts_[branch.depth - 1], branch.value);
+    if (branch.letter != Routes::none) step(letters_.leaf(branch.letter), lefts_[branch.depth]);
   }
 
   void step(const Letters::Leaf& letter, CofactorTable::Id left) {
@@ -181,7 +178,7 @@ class Extractor {
   /// An answer and where it leads, but for what is left of the rules there.
   struct Choice {
     Answer answer;
-    End end;
+    End end{};
   };
   [[nodiscard]] Choice leading(const Situation& at, const Answer& answer) {
     const auto [step, added] = steps_.number(at.future, answer.bits);
@@ -251,7 +248,7 @@ class Extractor {
 
   /// Steps that were followed before are asked first: most often one of them does.
   [[nodiscard]] Choice best_of(const Situation& at, std::span<const Answer> answers) {
-    Choice best = leading(at, answers[0]);
+    Choice best;
     std::uint32_t least = States::none;
     for (const bool followed : {true, false}) {
       for (const Answer& answer : answers) {
@@ -260,9 +257,9 @@ class Extractor {
         const std::uint32_t state = states_.find(key_of(steps_.leads_to(choice.end), choice.end.goal));
         if (state < least) best = choice, least = state;
       }
-      if (least != States::none) break;
+      if (least != States::none) return best;
     }
-    return best;
+    return leading(at, answers[0]);
   }
 
   /// In ascending order. Where a state may also depend on the observation, the first alone.
@@ -375,7 +372,7 @@ class Extractor {
   bool first_step_ = true;
   std::vector<bool> choice_;  ///< Moore: its answer.
   std::uint32_t mode_ = 0;    ///< Its number in modes_; where no output is chosen before, the goal.
-  std::vector<CofactorTable::Id> lefts_;  ///< What is left of its rules, by branch.
+  std::vector<CofactorTable::Id> lefts_;  ///< What is left of its rules, by depth of the branch.
   model::Valuation letter_;               ///< Where the next state may depend on it.
 };
 

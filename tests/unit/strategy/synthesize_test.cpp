@@ -139,6 +139,20 @@ TEST(Synthesize, TooManyStatesIsALimit) {
   EXPECT_THROW((void)result(arbiter(4), few), util::LimitExceeded);
 }
 
+// Forty inputs that hardly matter: their letters would never all be met.
+TEST(Synthesize, AutoGivesUpListingManyLetters) {
+  std::string text = "[input]\n";
+  for (int i = 0; i < 40; ++i) text += fmt::format("i{} : boolean\n", i);
+  text += "[output]\ny : boolean\n[sys safety]\ny' <-> i0 | i1\n[sys justice]\ny | !i0\n";
+  Options automatic;
+  automatic.form = Form::Auto;
+  automatic.auto_rows = 1000;
+  const Result found = result(text, automatic);
+  EXPECT_TRUE(found.realizable);
+  EXPECT_FALSE(found.machine);
+  EXPECT_TRUE(found.symbolic);
+}
+
 TEST(Synthesize, SameInputSameMachine) {
   EXPECT_EQ(model::write_mealy(*result(arbiter(4)).machine), model::write_mealy(*result(arbiter(4)).machine));
 }
