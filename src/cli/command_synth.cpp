@@ -85,6 +85,7 @@ strategy::Options synthesis_options(const Arguments& arguments) {
   options.form = form(arguments);
   options.auto_states = arguments.number("--max-states", 1, 1'000'000'000).value_or(options.auto_states);
   options.auto_rows = 20 * options.auto_states;
+  options.auto_steps = 100 * options.auto_states;
   if (options.form == strategy::Form::Explicit)
     options.max_states = std::max(options.max_states, options.auto_states);
   if (options.form == strategy::Form::Symbolic && word == "latch")

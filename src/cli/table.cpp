@@ -33,7 +33,8 @@ const std::vector<Option> synth_options{
     {"--strategy", "FORM", "auto", "explicit|symbolic|auto",
      "A machine listed state by state, or functions (docs/formats/symbolic.md)"},
     {"--max-states", "N", "100000", "1 ... 10^9",
-     "With auto: how many states, before minimisation, and 20 times as many rows, are listed"},
+     "With auto: states listed at most, before minimisation; 20 times as many rows, 100 times as many steps "
+     "of diagrams"},
     {"--certify", "", "", "", "Also prove the verdict, either one, by ranks that are checked symbolically"},
     {"--solver-option", "NAME=VALUE", "", "",
      "Switch a technique of the solver, once for each; the verdict stays (docs/command-line.md)"},

@@ -71,6 +71,7 @@ class Extractor {
         routes_(legal_, letters_, input_route(game), lowest(game, Owner::Input), builder_),
         lowest_(lowest(game, Owner::Output)),
         outputs_(lowest_.size()),
+        steps_before_(game.manager->statistics().steps),
         lefts_(input_places_.size() + 1) {
     const model::Valuation memories = lowest(game, Owner::Memory);
     lowest_.insert(lowest_.end(), memories.begin(), memories.end());
@@ -116,6 +117,7 @@ class Extractor {
 
   void expand(std::uint32_t state) {
     budget_.check();
+    count_steps();
     from_ = state;
     key_ = states_[state];
     first_step_ = state == 0;
@@ -224,9 +226,15 @@ class Extractor {
       throw util::LimitExceeded(util::LimitExceeded::Kind::Size, "the strategy has too many rows to list");
   }
 
+  void count_steps() const {
+    if (options_.max_steps != 0 && game_.manager->statistics().steps - steps_before_ > options_.max_steps)
+      throw util::LimitExceeded(util::LimitExceeded::Kind::Size, "the strategy takes too long to list");
+  }
+
   /// What the next rows may make grow.
   void ask_for_more() {
     budget_.check();
+    count_steps();
     const std::size_t vectors = rows_per_check * (input_places_.size() + 1);
     const std::size_t bytes = builder_.bytes_to_grow(rows_per_check) + states_.bytes_to_grow(rows_per_check) +
                               situations_.bytes_to_grow(rows_per_check) +
@@ -364,6 +372,7 @@ class Extractor {
   model::Valuation lowest_;  ///< Of outputs, then memories,
   std::size_t outputs_;      ///< of which this many are outputs.
   std::uint64_t rows_ = 0;
+  std::uint64_t steps_before_;  ///< Of the diagrams.
   bool relies_ = false;
 
   // The state being expanded.

@@ -17,7 +17,8 @@ struct Extracted {
 };
 
 /// Lists the reachable part of the strategy that the ranks of \p region hold.
-/// \pre region.realizable and its ranks were kept. \throws util::LimitExceeded  Size: more than max_states
+/// \pre region.realizable and its ranks were kept. \throws util::LimitExceeded  Size: more than max_states,
+/// max_rows or max_steps
 [[nodiscard]] Extracted extract(const game::Game& game, const game::Region& region, util::Budget& budget,
                                 const Options& options);
 

@@ -45,6 +45,7 @@ std::optional<Extracted> list_machine(const game::Game& game, const game::Region
   if (may_fail) {
     options.max_states = std::min(options.max_states, options.auto_states);
     options.max_rows = options.auto_rows;
+    options.max_steps = options.auto_steps;
   }
   try {
     return extract(game, region, budget, options);

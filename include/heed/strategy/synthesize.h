@@ -24,7 +24,7 @@ enum class OnViolation : std::uint8_t {
 enum class Form : std::uint8_t {
   Explicit,  ///< As a Mealy machine, state by state.
   Symbolic,  ///< As functions.
-  Auto       ///< Explicit where `auto_states` and `auto_rows` suffice, else symbolic.
+  Auto       ///< Explicit where `auto_states`, `auto_rows` and `auto_steps` suffice, else symbolic.
 };
 
 struct Options {
@@ -32,9 +32,11 @@ struct Options {
   bool claim = false;  ///< Also say why the verdict is right, so that certify can see to it.
   Form form = Form::Explicit;
   std::uint64_t auto_states = 100'000, auto_rows = 2'000'000;  ///< Before minimisation.
+  std::uint64_t auto_steps = 10'000'000;  ///< Of diagrams: few states may hide in long functions.
   OnViolation on_violation = OnViolation::Undefined;
   std::uint64_t max_states = 10'000'000;  ///< Before minimisation. More: util::LimitExceeded (Size).
   std::uint64_t max_rows = 0;             ///< The same for rows; 0: no bound.
+  std::uint64_t max_steps = 0;            ///< The same for bdd::Statistics::steps of the listing.
   game::Techniques techniques{};          ///< How the game is solved; the result is the same.
 };
 

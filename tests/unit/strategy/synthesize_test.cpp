@@ -153,6 +153,16 @@ TEST(Synthesize, AutoGivesUpListingManyLetters) {
   EXPECT_TRUE(found.symbolic);
 }
 
+TEST(Synthesize, AutoGivesUpListingAfterManySteps) {
+  Options automatic;
+  automatic.form = Form::Auto;
+  EXPECT_TRUE(result(arbiter(6), automatic).machine);
+  automatic.auto_steps = 1000;
+  EXPECT_TRUE(result(arbiter(6), automatic).symbolic);
+  automatic.form = Form::Explicit;
+  EXPECT_TRUE(result(arbiter(6), automatic).machine);
+}
+
 TEST(Synthesize, SameInputSameMachine) {
   EXPECT_EQ(model::write_mealy(*result(arbiter(4)).machine), model::write_mealy(*result(arbiter(4)).machine));
 }
