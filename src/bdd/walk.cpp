@@ -12,16 +12,12 @@ Walk::~Walk() {
   for (const Visit& visit : visited_) nodes_[visit.index].next = visit.link;
 }
 
-/// Depth is bounded by the number of variables.
+/// Depth is bounded by the number of variables. The terminal is there from the start.
 void Walk::visit(std::uint32_t index) {
   Node& node = nodes_[index];
-  if ((node.next & lent) != 0) return;
-  if (index != 0) {
-    visit(node.low >> 1);
-    visit(node.high >> 1);
-  }
-  visited_.push_back({index, node.next});
-  node.next = lent | static_cast<std::uint32_t>(visited_.size() - 1);
+  add(node.low);
+  add(node.high);
+  number_next(index);
 }
 
 }  // namespace heed::bdd

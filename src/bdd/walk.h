@@ -16,7 +16,7 @@ class Walk {
  public:
   explicit Walk(Kernel& kernel) : nodes_(kernel.nodes_.get()) {
     visited_.reserve(usual);
-    visit(0);
+    number_next(0);
   }
   Walk(Kernel& kernel, std::span<const Edge> roots);
   Walk(const Walk&) = delete;
@@ -24,7 +24,9 @@ class Walk {
   ~Walk();
 
   /// In the order of a depth-first search, low children first.
-  void add(Edge root) { visit(root >> 1); }
+  void add(Edge root) {
+    if ((nodes_[root >> 1].next & lent) == 0) visit(root >> 1);
+  }
   [[nodiscard]] std::size_t size() const { return visited_.size(); }
   [[nodiscard]] const Node& node(std::size_t number) const { return nodes_[visited_[number].index]; }
   /// \pre the edge is to a node that was visited
@@ -42,7 +44,12 @@ class Walk {
   static_assert(node_limit <= lent);
   static constexpr std::size_t usual = 64;  ///< Most diagrams are small.
 
+  /// \pre not yet visited
   void visit(std::uint32_t index);
+  void number_next(std::uint32_t index) {
+    visited_.push_back({index, nodes_[index].next});
+    nodes_[index].next = lent | static_cast<std::uint32_t>(visited_.size() - 1);
+  }
 
   Node* nodes_;
   std::vector<Visit> visited_;

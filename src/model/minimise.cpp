@@ -111,12 +111,15 @@ std::uint32_t refine(const std::vector<std::uint32_t>& order, Blocks& block, std
   return count;
 }
 
+/// A byte each: rows mark faster than bits would let them.
+using Marks = std::vector<std::uint8_t>;
+
 /// Where each letter goes when those that no row uses any more are dropped from \p letters; the order stays.
-std::vector<std::uint32_t> drop_unused(std::vector<Valuation>& letters, const std::vector<bool>& used) {
+std::vector<std::uint32_t> drop_unused(std::vector<Valuation>& letters, const Marks& used) {
   std::vector<std::uint32_t> place(letters.size(), UINT32_MAX);
   std::uint32_t kept = 0;
   for (std::uint32_t i = 0; i < letters.size(); ++i) {
-    if (!used[i]) continue;
+    if (used[i] == 0) continue;
     if (kept != i) letters[kept] = std::move(letters[i]);
     place[i] = kept++;
   }
@@ -135,17 +138,19 @@ Mealy quotient(const Mealy& machine, const std::vector<std::uint32_t>& represent
   result.output_letters = machine.output_letters;
   result.assumptions = machine.assumptions;
   result.notes = machine.notes;
-  std::vector<bool> used_inputs(machine.input_letters.size()), used_outputs(machine.output_letters.size());
+  result.first.reserve(representative.size() + 1);
   result.first.push_back(0);
   result.transitions.reserve(machine.transitions.size());
+  const auto rows = machine.transitions.begin();
   for (const std::uint32_t state : representative) {
-    for (std::uint32_t t = machine.first[state]; t < machine.first[state + 1]; ++t) {
-      Mealy::Transition row = machine.transitions[t];
-      used_inputs[row.input] = used_outputs[row.output] = true;
-      row.next = block[row.next];
-      result.transitions.push_back(row);
-    }
+    result.transitions.insert(result.transitions.end(), rows + machine.first[state],
+                              rows + machine.first[state + 1]);
     result.first.push_back(static_cast<std::uint32_t>(result.transitions.size()));
+  }
+  Marks used_inputs(machine.input_letters.size()), used_outputs(machine.output_letters.size());
+  for (Mealy::Transition& row : result.transitions) {
+    used_inputs[row.input] = used_outputs[row.output] = 1;
+    row.next = block[row.next];
   }
   const auto input_place = drop_unused(result.input_letters, used_inputs);
   const auto output_place = drop_unused(result.output_letters, used_outputs);
@@ -156,27 +161,16 @@ Mealy quotient(const Mealy& machine, const std::vector<std::uint32_t>& represent
   return result;
 }
 
-/// Numbers the blocks by first visit in the quotient, so that equal behaviour prints equal. \returns of each
-/// block its first state in \p order, by the new numbers
-std::vector<std::uint32_t> number_by_visit(const Mealy& machine, const std::vector<std::uint32_t>& order,
-                                           Blocks& block, std::uint32_t count) {
-  std::vector<std::uint32_t> first(count, UINT32_MAX), number(count, UINT32_MAX);
+/// Of each block its first state in \p order. A round numbers the blocks in that order too. It is
+/// breadth-first, and the first state of a block was found from the first state of another: so the numbers
+/// are those of a visit of the quotient itself, and equal behaviour prints equal.
+std::vector<std::uint32_t> first_of_each(const std::vector<std::uint32_t>& order, const Blocks& block,
+                                         std::uint32_t count) {
+  std::vector<std::uint32_t> first;
+  first.reserve(count);
   for (const std::uint32_t state : order)
-    if (first[block[state]] == UINT32_MAX) first[block[state]] = state;
-  std::vector<std::uint32_t> visited{first[block[0]]};
-  visited.reserve(count);
-  number[block[0]] = 0;
-  for (std::size_t i = 0; i < visited.size(); ++i) {
-    const std::uint32_t state = visited[i];
-    for (std::uint32_t t = machine.first[state]; t < machine.first[state + 1]; ++t) {
-      const std::uint32_t next = block[machine.transitions[t].next];
-      if (number[next] != UINT32_MAX) continue;
-      number[next] = static_cast<std::uint32_t>(visited.size());
-      visited.push_back(first[next]);
-    }
-  }
-  for (const std::uint32_t state : order) block[state] = number[block[state]];
-  return visited;
+    if (block[state] == first.size()) first.push_back(state);
+  return first;
 }
 
 }  // namespace
@@ -190,8 +184,7 @@ Mealy minimise(const Mealy& machine) {
     before = count;
     count = refine(order, block, count, Successors{machine, block});
   }
-  const std::vector<std::uint32_t> representative = number_by_visit(machine, order, block, count);
-  return quotient(machine, representative, block);
+  return quotient(machine, first_of_each(order, block, count), block);
 }
 
 }  // namespace heed::model

@@ -31,7 +31,9 @@ Routes::Routes(CofactorTable& legal, Letters& letters, std::vector<Place> places
       letters_(letters),
       places_(std::move(places)),
       letter_(std::move(lowest)),
-      builder_(builder) {}
+      builder_(builder) {
+  branches_.reserve(usual);
+}
 
 void Routes::forget() {
   branches_.clear();

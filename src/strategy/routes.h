@@ -60,6 +60,8 @@ class Routes {
   };
   /// Branches of one set that are remembered. With as many of all, some megabytes, all are forgotten.
   static constexpr std::size_t most = std::size_t{1} << 18;
+  /// Few sets of letters need more.
+  static constexpr std::size_t usual = std::size_t{1} << 14;
 
   /// \p branch and all that continue it.
   template <typename Found>
