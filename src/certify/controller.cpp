@@ -154,16 +154,17 @@ class ControllerCheck {
     return false;
   }
 
-  /// Legal steps from \p from, with the goal's answers, that lie in \p steps. Sets before and after a step
-  /// have little to do with each other, and the answers with neither: what is legal comes first and holds
-  /// them together, the answers come last.
+  /// The states of \p from of which some legal step, with the goal's answers, lies in \p steps. The answers
+  /// come first, since each of them takes a variable away, and so does what is legal then: before that, what
+  /// is legal would have to hold together sets before and after a step that have little to do with each
+  /// other.
   [[nodiscard]] Bdd taken(const Bdd& from, const Bdd& steps, const Tables::Goal& goal) const {
-    Bdd left = from & board_.legal(steps);
+    Bdd left = steps;
     for (std::size_t i = outputs_.size(); i-- > 0 && !left.is_false();) {
       const Bdd bit = board_.encoding().manager().variable(outputs_[i]);
       left = left.and_exists(bit.iff(goal.answers[i]), bit);
     }
-    return left;
+    return from & board_.forced(left);
   }
 
   void columns() {
