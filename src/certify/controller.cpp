@@ -160,9 +160,12 @@ class ControllerCheck {
   /// other.
   [[nodiscard]] Bdd taken(const Bdd& from, const Bdd& steps, const Tables::Goal& goal) const {
     Bdd left = steps;
-    for (std::size_t i = outputs_.size(); i-- > 0 && !left.is_false();) {
+    std::vector<bdd::Var> support = left.support_variables();
+    for (std::size_t i = outputs_.size(); i-- > 0;) {
+      if (!std::binary_search(support.begin(), support.end(), outputs_[i])) continue;
       const Bdd bit = board_.encoding().manager().variable(outputs_[i]);
       left = left.and_exists(bit.iff(goal.answers[i]), bit);
+      support = left.support_variables();
     }
     return from & board_.forced(left);
   }
