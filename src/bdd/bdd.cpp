@@ -194,10 +194,8 @@ std::vector<Var> Bdd::support_variables() const {
 }
 
 bool Bdd::depends_on(Var variable) const {
-  for (const Var v : support_variables()) {
-    if (v == variable) return true;
-  }
-  return false;
+  assert(valid());
+  return bdd::depends_on(*kernel_, edge_, variable + 1);
 }
 
 double Bdd::count(std::size_t variables) const {

@@ -22,6 +22,14 @@ std::vector<std::uint32_t> support_variables(Kernel& kernel, Edge f) {
   return variables;
 }
 
+bool depends_on(Kernel& kernel, Edge f, std::uint32_t variable) {
+  const Edge roots[] = {f};
+  const Walk below(kernel, roots);
+  for (std::size_t i = 1; i < below.size(); ++i)
+    if (below.node(i).variable == variable) return true;
+  return false;
+}
+
 std::size_t shared_size(Kernel& kernel, std::span<const Edge> roots) {
   return Walk(kernel, roots).size();
 }

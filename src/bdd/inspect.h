@@ -12,6 +12,7 @@ namespace heed::bdd {
 
 /// Variables (kernel numbers) that it depends on, ascending.
 [[nodiscard]] std::vector<std::uint32_t> support_variables(Kernel& kernel, Edge f);
+[[nodiscard]] bool depends_on(Kernel& kernel, Edge f, std::uint32_t variable);
 /// Nodes below the roots, shared ones once, with the terminal.
 [[nodiscard]] std::size_t shared_size(Kernel& kernel, std::span<const Edge> roots);
 [[nodiscard]] double count_double(Kernel& kernel, Edge f, std::size_t variables);
