@@ -12,6 +12,7 @@ namespace heed::bdd {
 
 /// Variables (kernel numbers) that it depends on, ascending.
 [[nodiscard]] std::vector<std::uint32_t> support_variables(Kernel& kernel, Edge f);
+/// Whether that one (a kernel number) is among them, without listing all.
 [[nodiscard]] bool depends_on(Kernel& kernel, Edge f, std::uint32_t variable);
 /// Nodes below the roots, shared ones once, with the terminal.
 [[nodiscard]] std::size_t shared_size(Kernel& kernel, std::span<const Edge> roots);

@@ -52,8 +52,7 @@ Steps::Steps(const game::Game& game, const game::Region& region, util::Budget& b
       answer_order_(by_level(game, answer_bits_)),
       answers_(answer_bits_.size()),
       columns_(game.definitions.size() + goals_),
-      assignment_(game.manager->variable_count()),
-      shown_(columns_.bits()) {
+      assignment_(game.manager->variable_count()) {
   const Bdd never = game.manager->constant(false);
   std::vector<Bdd> roots{legal_inputs(game)}, columns = game.definitions;
   roots.insert(roots.end(), game.updates.begin(), game.updates.end());
@@ -86,18 +85,19 @@ std::pair<std::uint32_t, bool> Steps::number(CofactorTable::Id future, std::uint
 
 std::uint32_t Steps::evaluate_columns(CofactorTable::Id future, std::uint32_t bits) {
   for (std::size_t i = 0; i < answer_bits_.size(); ++i) assignment_[answer_bits_[i]] = answers_.bit(bits, i);
-  for (std::size_t i = 0; i < shown_.size(); ++i)
-    shown_[i] = futures_.evaluate(future, columns_at_ + i, assignment_);
-  const std::uint32_t columns = columns_.number(shown_);
+  std::vector<bool> shown(columns_.bits());
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    shown[i] = futures_.evaluate(future, columns_at_ + i, assignment_);
+  const std::uint32_t columns = columns_.number(shown);
   if (goals_after_.size() < columns_.size() * goals_)
-    for (std::size_t goal = 0; goal < goals_; ++goal) goals_after_.push_back(next_goal(goal));
+    for (std::size_t goal = 0; goal < goals_; ++goal) goals_after_.push_back(next_goal(goal, shown));
   return columns;
 }
 
-std::uint32_t Steps::next_goal(std::size_t goal) const {
+std::uint32_t Steps::next_goal(std::size_t goal, const std::vector<bool>& shown) const {
   for (std::size_t i = 0; i < goals_; ++i) {
     const std::size_t candidate = (goal + i) % goals_;
-    if (!shown_[game_.definitions.size() + candidate]) return static_cast<std::uint32_t>(candidate);
+    if (!shown[game_.definitions.size() + candidate]) return static_cast<std::uint32_t>(candidate);
   }
   return static_cast<std::uint32_t>(goal);
 }

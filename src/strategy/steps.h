@@ -58,7 +58,7 @@ class Steps {
 
  private:
   [[nodiscard]] std::uint32_t evaluate_columns(CofactorTable::Id future, std::uint32_t bits);
-  [[nodiscard]] std::uint32_t next_goal(std::size_t goal) const;
+  [[nodiscard]] std::uint32_t next_goal(std::size_t goal, const std::vector<bool>& shown) const;
   [[nodiscard]] const bdd::Bdd& cube_of(std::uint32_t bits);
 
   const game::Game& game_;
@@ -75,7 +75,6 @@ class Steps {
   std::uint32_t cube_bits_ = 0;
   BitWords answers_, columns_;
   std::vector<bool> assignment_;  ///< By variable, for evaluation.
-  std::vector<bool> shown_;       ///< Definitions and goals that hold after the step that was looked at last.
   util::WordTable steps_{2};      ///< A future and an answer, and by number:
   std::vector<std::uint32_t> columns_of_;
   std::vector<CofactorTable::Id> legal_of_;  ///< The inputs that may come then, or none yet.
