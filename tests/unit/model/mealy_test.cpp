@@ -133,18 +133,32 @@ TEST(Minimise, KeepsEveryAnswer) {
   }
 }
 
-TEST(Minimise, IsCanonical) {
-  const Mealy machine = random_machine(3, 6, false);
+// Two interleaved copies of it, with all states but the initial one in another order.
+Mealy doubled(const Mealy& machine, std::uint64_t seed) {
   MealyBuilder twice(machine.name, machine.inputs, machine.outputs);
   const std::uint32_t n = machine.state_count();
-  for (std::uint32_t i = 0; i < 2 * n; ++i) twice.add_state();
-  for (std::uint32_t s = 0; s < 2 * n; ++s)  // two interleaved copies in another order of states
+  util::CounterRandom random(seed, 2);
+  std::vector<std::uint32_t> place(2 * std::size_t{n});
+  for (std::uint32_t i = 0; i < place.size(); ++i) {
+    place[i] = i;
+    twice.add_state();
+    if (i > 1) std::swap(place[i], place[1 + random.below(i)]);
+  }
+  for (std::uint32_t s = 0; s < 2 * n; ++s)
     for (std::uint32_t t = machine.first[s % n]; t < machine.first[s % n + 1]; ++t) {
       const auto& row = machine.transitions[t];
       const std::uint32_t next = s < n ? row.next + n : row.next;
-      twice.add(s, machine.input_letters[row.input], machine.output_letters[row.output], next, row.fallback);
+      twice.add(place[s], machine.input_letters[row.input], machine.output_letters[row.output], place[next],
+                row.fallback);
     }
-  EXPECT_EQ(write_mealy(minimise(twice.finish())), write_mealy(minimise(machine)));
+  return twice.finish();
+}
+
+TEST(Minimise, IsCanonical) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const Mealy machine = random_machine(seed, 1 + static_cast<std::uint32_t>(seed % 9), seed % 2 == 0);
+    EXPECT_EQ(write_mealy(minimise(doubled(machine, seed))), write_mealy(minimise(machine))) << seed;
+  }
 }
 
 TEST(MealyFile, RoundTrips) {
