@@ -43,7 +43,7 @@ class RuleMaker {
         const Bdd waiting =
             (here & safe_ & !game_.env_justice[i].relation).and_next(region_.waits[goal_][k][i]);
         rule.moves |= waiting;
-        rule.waits |= waiting;
+        rule.waits |= answered(waiting);
       });
     });
     return rule;
