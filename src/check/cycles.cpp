@@ -6,7 +6,9 @@
 namespace heed::check {
 namespace {
 
-/// Strongly connected components of the product without the edges that meet one justice.
+/// Strongly connected components of the product without the edges that meet one justice, and the justices
+/// that their inner edges meet. An edge is an inner one exactly when its target is still on the stack once
+/// the edge was followed. \cite tarjan.72.sicomp
 class Components {
  public:
   Components(const Product& product, std::size_t justice, util::Budget& budget)
@@ -15,11 +17,24 @@ class Components {
         budget_(budget),
         order_(product.nodes.size(), none),
         low_(order_),
-        of_(order_) {
+        of_(order_),
+        marks_(product.nodes.size() * product.words),
+        has_inner_(product.nodes.size()) {
     for (std::uint32_t node = 0; node < order_.size(); ++node)
       if (order_[node] == none) visit(node);
   }
-  [[nodiscard]] std::uint32_t count() const { return count_; }
+  /// Whether the component has an inner edge; of each component, true once.
+  bool take_cycle(std::size_t component) {
+    const bool cycle = cycle_[component];
+    cycle_[component] = false;
+    return cycle;
+  }
+  /// Whether inner edges of the component meet each of the first \p justices.
+  [[nodiscard]] bool meets_first(std::size_t component, std::size_t justices) const {
+    for (std::size_t i = 0; i < justices; ++i)
+      if (((met_[component * product_.words + i / 64] >> (i % 64)) & 1U) == 0) return false;
+    return true;
+  }
   [[nodiscard]] std::uint32_t of(std::uint32_t node) const { return of_[node]; }
   [[nodiscard]] bool inner(std::uint32_t node, std::size_t edge) const {
     return !product_.meets(edge, justice_) && of_[product_.edges[edge].target] == of_[node];
@@ -34,19 +49,33 @@ class Components {
   void visit(std::uint32_t root) {
     open(root);
     while (!frames_.empty()) {
-      Frame& frame = frames_.back();
-      if (frame.edge == product_.first[frame.node + 1]) {
+      const std::uint32_t fresh = advance(frames_.back());
+      if (fresh == none)
         close();
-        continue;
-      }
+      else
+        open(fresh);
+    }
+  }
+
+  /// Follows the frame's edges up to one that leads to a node not seen before: that node, or none.
+  std::uint32_t advance(Frame& frame) {
+    const std::size_t end = product_.first[frame.node + 1];
+    while (frame.edge != end) {
       const std::size_t edge = frame.edge++;
       if (product_.meets(edge, justice_)) continue;
       const std::uint32_t target = product_.edges[edge].target;
-      if (order_[target] == none)
-        open(target);
-      else if (of_[target] == none)
-        low_[frame.node] = std::min(low_[frame.node], order_[target]);
+      if (order_[target] == none) return target;
+      if (of_[target] != none) continue;
+      low_[frame.node] = std::min(low_[frame.node], order_[target]);
+      add_inner(frame.node, edge);
     }
+    return none;
+  }
+
+  void add_inner(std::uint32_t node, std::size_t edge) {
+    has_inner_[node] = 1;
+    for (std::size_t w = 0; w < product_.words; ++w)
+      marks_[node * product_.words + w] |= product_.marks[edge * product_.words + w];
   }
 
   void open(std::uint32_t node) {
@@ -59,14 +88,24 @@ class Components {
   void close() {
     const std::uint32_t node = frames_.back().node;
     frames_.pop_back();
-    if (!frames_.empty()) low_[frames_.back().node] = std::min(low_[frames_.back().node], low_[node]);
-    if (low_[node] != order_[node]) return;
+    if (low_[node] != order_[node]) {
+      const Frame& parent = frames_.back();
+      low_[parent.node] = std::min(low_[parent.node], low_[node]);
+      add_inner(parent.node, parent.edge - 1);
+      return;
+    }
+    met_.resize(met_.size() + product_.words);
+    std::uint64_t* const met = met_.data() + met_.size() - product_.words;
+    bool cycle = false;
     std::uint32_t member = none;
     while (member != node) {
       member = stack_.back();
       stack_.pop_back();
       of_[member] = count_;
+      cycle = cycle || has_inner_[member] != 0;
+      for (std::size_t w = 0; w < product_.words; ++w) met[w] |= marks_[member * product_.words + w];
     }
+    cycle_.push_back(cycle);
     ++count_;
   }
 
@@ -74,40 +113,12 @@ class Components {
   std::size_t justice_;
   util::Budget& budget_;
   std::vector<std::uint32_t> order_, low_, of_, stack_;
+  std::vector<std::uint64_t> marks_;     ///< Per node: of its inner edges.
+  std::vector<std::uint8_t> has_inner_;  ///< Per node.
+  std::vector<std::uint64_t> met_;       ///< Per component: of all its inner edges.
+  std::vector<bool> cycle_;              ///< Per component.
   std::vector<Frame> frames_;
   std::uint32_t next_ = 0, count_ = 0;
-};
-
-/// The justices that the inner edges of each component meet.
-class Fairness {
- public:
-  Fairness(const Product& product, const Components& components)
-      : words_(product.words), met_(components.count() * words_), cycle_(components.count()) {
-    for (std::uint32_t node = 0; node < product.nodes.size(); ++node)
-      for (std::size_t edge = product.first[node]; edge < product.first[node + 1]; ++edge) {
-        if (!components.inner(node, edge)) continue;
-        const std::size_t component = components.of(node);
-        cycle_[component] = true;
-        for (std::size_t w = 0; w < words_; ++w)
-          met_[component * words_ + w] |= product.marks[edge * words_ + w];
-      }
-  }
-  /// Whether the component has an inner edge; of each component, true once.
-  bool take_cycle(std::size_t component) {
-    const bool cycle = cycle_[component];
-    cycle_[component] = false;
-    return cycle;
-  }
-  [[nodiscard]] bool meets_first(std::size_t component, std::size_t justices) const {
-    for (std::size_t i = 0; i < justices; ++i)
-      if (((met_[component * words_ + i / 64] >> (i % 64)) & 1U) == 0) return false;
-    return true;
-  }
-
- private:
-  std::size_t words_;
-  std::vector<std::uint64_t> met_;
-  std::vector<bool> cycle_;
 };
 
 /// A closed walk within one component that takes an edge of every environment justice.
@@ -184,12 +195,11 @@ void check_justice(const Explorer& explorer, const Rules& rules, util::Budget& b
                    Verdict& verdict) {
   const Product& product = explorer.product();
   for (std::size_t j = 0; j < rules.sys_justices && verdict.refutations.size() < options.most; ++j) {
-    const Components components(product, rules.env_justices + j, budget);
-    Fairness fairness(product, components);
+    Components components(product, rules.env_justices + j, budget);
     for (std::uint32_t node = 0; node < product.nodes.size() && verdict.refutations.size() < options.most;
          ++node) {
-      if (!fairness.take_cycle(components.of(node))) continue;
-      if (!fairness.meets_first(components.of(node), rules.env_justices)) {
+      if (!components.take_cycle(components.of(node))) continue;
+      if (!components.meets_first(components.of(node), rules.env_justices)) {
         verdict.relies_on_broken_justice = true;
       } else {
         const auto loop = Lasso(product, components, rules.env_justices).loop(node);

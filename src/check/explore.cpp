@@ -18,7 +18,7 @@ Explorer::Explorer(const model::Mealy& machine, const Rules& rules, util::Budget
       budget_(budget),
       options_(options),
       letters_(machine, rules.spec),
-      legal_(rules, budget),
+      legal_(rules, letters_, budget),
       kept_(2 * std::max<std::size_t>(1, rules.kept_programs.size())),
       outlooks_(rules),
       before_(kept_.length() / 2),
@@ -132,10 +132,12 @@ void Explorer::expand(std::uint32_t node) {
   if (!common.start) recall(kept);
   outlook_ = common.start ? &outlooks_.first() : &outlooks_.after(kept, before_.data());
   previous_edge_.clear();
-  legal_.each(common.start ? nullptr : before_.data(), *outlook_, [&](std::int32_t* values) {
-    any = any || !common.start || can_start(values);
-    return take(node, values, common);
-  });
+  next_row_ = machine_.first[product_.nodes[node].state];
+  legal_.each(common.start ? nullptr : before_.data(), *outlook_,
+              [&](std::int32_t* values, std::uint32_t letter) {
+                any = any || !common.start || can_start(values);
+                return take(node, letter, values, common);
+              });
   if (common.start && any && !answered_start_ && verdict_->refutations.empty())
     refuse({Kind::Initial,
             "some legal first input has an answer",
@@ -165,16 +167,25 @@ bool Explorer::can_start(const std::int32_t* values) const {
   return false;
 }
 
-bool Explorer::take(std::uint32_t node, std::int32_t* values, Common& common) {
+bool Explorer::take(std::uint32_t node, std::uint32_t letter, std::int32_t* values, Common& common) {
   if (common.start && !can_start(values)) return true;
   ++verdict_->product_edges;
   if ((verdict_->product_edges & 0xff) == 0) budget_.check();
-  const std::uint32_t letter = letters_.find(values);
   if (letter == LetterIndex::unknown) return missing(node, values);
-  const auto* row = machine_.find(product_.nodes[node].state, letter);
-  if (!row) return missing(node, values);
+  const std::uint32_t row = row_of(product_.nodes[node].state, letter);
+  if (row == none) return missing(node, values);
   answered_start_ = true;
-  return answer({node, static_cast<std::uint32_t>(row - machine_.transitions.data())}, values, common);
+  return answer({node, row}, values, common);
+}
+
+/// The machine's row, or none. Letters mostly come in the order of the rows.
+std::uint32_t Explorer::row_of(std::uint32_t state, std::uint32_t letter) {
+  if (next_row_ == machine_.first[state + 1] || machine_.transitions[next_row_].input != letter) {
+    const auto* found = machine_.find(state, letter);
+    if (!found) return none;
+    next_row_ = static_cast<std::uint32_t>(found - machine_.transitions.data());
+  }
+  return next_row_++;
 }
 
 bool Explorer::answer(Answer at, std::int32_t* values, Common& common) {
@@ -231,6 +242,7 @@ bool Explorer::starts_well(Answer at, const std::int32_t*) {
 }
 
 bool Explorer::memories_agree(Answer at, const std::int32_t* values) {
+  if (rules_.spec.memories.empty()) return true;
   for (std::uint32_t i = 0; i < rules_.spec.memories.size(); ++i) {
     const std::uint32_t slot = rules_.layout.memory(i);
     if (column(at.row, slot) == values[slot]) continue;
@@ -268,10 +280,10 @@ bool Explorer::shares(Answer at, Common& common) {
 
 bool Explorer::keeps_step(Answer at, const RowFacts& row, const std::int32_t* values) {
   const std::string* broken = row.violated_after_start;
-  const auto& open = outlook_->open_guarantees();
+  const auto& open = outlook_->guarantees();
   for (std::size_t i = 0; i < open.size() && !broken; ++i)
-    if (Program::run(outlook_->guarantee(i), {values}, registers_) == 0)
-      broken = &rules_.sys_step[open[i]].clause->text;
+    if (!outlook_->holds(open[i], values, registers_))
+      broken = &rules_.sys_step[outlook_->open_guarantees()[i]].clause->text;
   if (broken)
     refuse({Kind::Safety, *broken, "a guarantee on the step is broken", {}, 0}, at.node, step(at.row));
   return !broken;
@@ -330,13 +342,13 @@ void Explorer::connect(Answer at, const RowFacts& row, const std::int32_t* value
   for (std::size_t w = 0; w < product_.words; ++w) step_marks_[w] = row_marks_[row.marks + w];
   for (std::size_t i = 0; at.node != 0 && i < rules_.step_justices.size(); ++i) {
     const std::uint32_t j = rules_.step_justices[i];
-    if (Program::run(outlook_->justice(i), {values}, registers_) != 0)
+    if (outlook_->holds(outlook_->justices()[i], values, registers_))
       step_marks_[j / 64] |= std::uint64_t{1} << (j % 64);
   }
   if (last_edge_.size() <= target) last_edge_.resize(product_.nodes.size());
   if (has_edge(target)) return;
   product_.edges.push_back({target, at.row});
-  product_.marks.insert(product_.marks.end(), step_marks_.begin(), step_marks_.end());
+  for (const std::uint64_t word : step_marks_) product_.marks.push_back(word);
   previous_edge_.push_back(last_edge_[target]);
   last_edge_[target] = product_.edges.size();
 }

@@ -74,7 +74,8 @@ class Explorer {
   void map_columns();
   void check_machine() const;
   void expand(std::uint32_t node);
-  bool take(std::uint32_t node, std::int32_t* values, Common& common);
+  bool take(std::uint32_t node, std::uint32_t letter, std::int32_t* values, Common& common);
+  std::uint32_t row_of(std::uint32_t state, std::uint32_t letter);
   bool answer(Answer at, std::int32_t* values, Common& common);
   [[nodiscard]] bool can_start(const std::int32_t* values) const;
   bool refuse_row(Answer at, const RowFacts& row);
@@ -116,6 +117,7 @@ class Explorer {
   Outlooks outlooks_;
   const Outlook* outlook_ = nullptr;        ///< From the node that is expanded,
   std::vector<std::int64_t> before_;        ///< and the values kept there.
+  std::uint32_t next_row_ = 0;              ///< Of its state: after the one that was found last.
   util::WordTable places_{2};               ///< Machine state and kept values of every node.
   std::vector<std::size_t> last_edge_;      ///< Per node: the last edge that reached it, plus one.
   std::vector<std::size_t> previous_edge_;  ///< Per edge of the node: the one before with its target.

@@ -28,8 +28,7 @@ LetterIndex::LetterIndex(const model::Mealy& machine, const spec::Gr1& spec) : m
           input.location, "columns",
           fmt::format("the controller does not read the input '{}' of the specification", input.name));
     column_.push_back(column);
-    low_.push_back(input.domain.low);
-    weight_.push_back(product);
+    digits_.push_back({product, input.domain.low});
     product = product > dense_limit ? product : product * static_cast<std::uint64_t>(input.domain.size());
   }
   if (machine.inputs.size() != spec.inputs.size())
@@ -38,7 +37,7 @@ LetterIndex::LetterIndex(const model::Mealy& machine, const spec::Gr1& spec) : m
   if (dense)
     dense_.assign(product, unknown);
   else
-    weight_.clear();
+    for (Digit& digit : digits_) digit.weight = 0;
   model::Valuation values(column_.size());
   for (std::uint32_t letter = 0; letter < machine.input_letters.size(); ++letter) {
     for (std::size_t i = 0; i < column_.size(); ++i) values[i] = machine.input_letters[letter].at(column_[i]);
@@ -46,22 +45,17 @@ LetterIndex::LetterIndex(const model::Mealy& machine, const spec::Gr1& spec) : m
       if (values[i] < spec.inputs[i].domain.low || values[i] > spec.inputs[i].domain.high)
         throw util::InputError({}, "columns",
                                "an input letter of the controller has a value outside its type");
+    std::uint64_t code = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) code += this->code(i, values[i]);
     if (dense)
-      dense_[code(values.data())] = letter;
+      dense_[code] = letter;
     else
       sparse_[hash_of(values.data(), values.size())].push_back(letter);
   }
 }
 
-std::uint64_t LetterIndex::code(const std::int32_t* inputs) const {
-  std::uint64_t code = 0;
-  for (std::size_t i = 0; i < weight_.size(); ++i)
-    code += weight_[i] * static_cast<std::uint64_t>(std::int64_t{inputs[i]} - low_[i]);
-  return code;
-}
-
-std::uint32_t LetterIndex::find(const std::int32_t* inputs) const {
-  if (!dense_.empty()) return dense_[code(inputs)];
+std::uint32_t LetterIndex::find(const std::int32_t* inputs, std::uint64_t code) const {
+  if (!dense_.empty()) return dense_[code];
   const auto found = sparse_.find(hash_of(inputs, column_.size()));
   if (found == sparse_.end()) return unknown;
   for (const std::uint32_t letter : found->second) {
@@ -98,7 +92,7 @@ bool LegalInputs::level(std::size_t k, const std::int64_t* kept) {
             static_cast<std::int32_t>(rules_.definitions[task.index].run({values_.data()}, registers_));
         break;
       case Task::Kind::Check:
-        if (Program::run(outlook_->check(task.index), {values_.data()}, registers_) == 0) return false;
+        if (!outlook_->holds(outlook_->check(task.index), values_.data(), registers_)) return false;
         break;
     }
   }

@@ -5,26 +5,31 @@ namespace heed::check {
 Outlook::Outlook(const Rules& rules, const std::int64_t* kept, Foresight& foresight) {
   plan(kept ? rules.later : rules.first, kept, foresight);
   if (!kept || dead_) return;
+  open_guarantees_.reserve(rules.sys_step.size());
+  guarantees_.reserve(rules.sys_step.size());
   for (std::uint32_t i = 0; i < rules.sys_step.size(); ++i) {
-    const Range range = append(rules.sys_step[i].program, kept, foresight);
-    if (is(range, true)) continue;
+    const Test test = append(rules.sys_step[i].program, kept, foresight);
+    if (is(test, true)) continue;
     open_guarantees_.push_back(i);
-    guarantees_.push_back(range);
+    guarantees_.push_back(test);
   }
   for (const std::uint32_t j : rules.step_justices)
     justices_.push_back(append(*rules.justice_step[j], kept, foresight));
 }
 
 void Outlook::plan(const Enumeration& enumeration, const std::int64_t* kept, Foresight& foresight) {
+  first_task_.reserve(enumeration.levels.size() + 1);
+  checks_.reserve(enumeration.checks.size());
+  tasks_.reserve(enumeration.checks.size());
   for (const auto& level : enumeration.levels) {
     first_task_.push_back(static_cast<std::uint32_t>(tasks_.size()));
     for (Task task : level) {
       if (task.kind == Task::Kind::Check) {
-        const Range range = append(enumeration.checks[task.index].program, kept, foresight);
-        if (is(range, true)) continue;
-        dead_ = dead_ || is(range, false);
+        const Test test = append(enumeration.checks[task.index].program, kept, foresight);
+        if (is(test, true)) continue;
+        dead_ = dead_ || is(test, false);
         task.index = static_cast<std::uint32_t>(checks_.size());
-        checks_.push_back(range);
+        checks_.push_back(test);
       }
       tasks_.push_back(task);
     }
@@ -32,15 +37,13 @@ void Outlook::plan(const Enumeration& enumeration, const std::int64_t* kept, For
   first_task_.push_back(static_cast<std::uint32_t>(tasks_.size()));
 }
 
-Outlook::Range Outlook::append(const Program& program, const std::int64_t* kept, Foresight& foresight) {
+Outlook::Test Outlook::append(const Program& program, const std::int64_t* kept, Foresight& foresight) {
   const auto begin = static_cast<std::uint32_t>(code_.size());
   foresight.append(program, kept, code_);
-  return {begin, static_cast<std::uint32_t>(code_.size())};
-}
-
-bool Outlook::is(Range range, bool truth) const {
-  return range.end == range.begin + 1 && code_[range.begin].code == Program::Code::Constant &&
-         (code_[range.begin].constant != 0) == truth;
+  const std::optional<Program::Table> table = foresight.table({code_.data() + begin, code_.size() - begin});
+  if (!table) return {begin, static_cast<std::uint32_t>(code_.size()), {}};
+  code_.resize(begin);
+  return {begin, begin, *table};
 }
 
 const Outlook& Outlooks::first() {

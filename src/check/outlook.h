@@ -22,32 +22,35 @@ class Outlook {
   [[nodiscard]] std::span<const Task> tasks(std::size_t level) const {
     return {tasks_.data() + first_task_[level], tasks_.data() + first_task_[level + 1]};
   }
-  /// What is left of a check.
-  [[nodiscard]] std::span<const Program::Instruction> check(std::size_t i) const { return code(checks_[i]); }
+  /// What is left of a rule: code, or where there is none, a table.
+  struct Test {
+    std::uint32_t begin, end;
+    Program::Table table;
+  };
+  /// Whether it holds of a step. \param registers  Scratch.
+  [[nodiscard]] bool holds(const Test& test, const std::int32_t* step,
+                           std::vector<std::int64_t>& registers) const {
+    if (test.begin == test.end) return test.table.at(step);
+    return Program::run({code_.data() + test.begin, code_.data() + test.end}, {step}, registers) != 0;
+  }
+  [[nodiscard]] const Test& check(std::size_t i) const { return checks_[i]; }
   /// Guarantees on the step that may fail, as indices into `Rules::sys_step`, ascending.
   [[nodiscard]] const std::vector<std::uint32_t>& open_guarantees() const { return open_guarantees_; }
-  /// What is left of the \p i th of them.
-  [[nodiscard]] std::span<const Program::Instruction> guarantee(std::size_t i) const {
-    return code(guarantees_[i]);
-  }
-  /// What is left of the \p i th justice of `Rules::step_justices`.
-  [[nodiscard]] std::span<const Program::Instruction> justice(std::size_t i) const {
-    return code(justices_[i]);
-  }
-  /// Instructions and rules that it holds.
+  /// What is left of them, in the same order.
+  [[nodiscard]] const std::vector<Test>& guarantees() const { return guarantees_; }
+  /// What is left of the justices of `Rules::step_justices`.
+  [[nodiscard]] const std::vector<Test>& justices() const { return justices_; }
+  /// A measure of its memory: about 24 bytes each.
   [[nodiscard]] std::size_t size() const {
-    return code_.size() + tasks_.size() + first_task_.size() + guarantees_.size() + justices_.size();
+    return code_.size() + tasks_.size() + first_task_.size() +
+           2 * (checks_.size() + guarantees_.size() + justices_.size());
   }
 
  private:
-  struct Range {
-    std::uint32_t begin = 0, end = 0;
-  };
-  [[nodiscard]] std::span<const Program::Instruction> code(Range range) const {
-    return {code_.data() + range.begin, code_.data() + range.end};
+  Test append(const Program& program, const std::int64_t* kept, Foresight& foresight);
+  [[nodiscard]] static bool is(const Test& test, bool truth) {
+    return test.begin == test.end && test.table.is(truth);
   }
-  Range append(const Program& program, const std::int64_t* kept, Foresight& foresight);
-  [[nodiscard]] bool is(Range range, bool truth) const;
 
   void plan(const Enumeration& enumeration, const std::int64_t* kept, Foresight& foresight);
 
@@ -55,14 +58,14 @@ class Outlook {
   std::vector<Program::Instruction> code_;
   std::vector<Task> tasks_;
   std::vector<std::uint32_t> first_task_;
-  std::vector<Range> checks_, guarantees_, justices_;
+  std::vector<Test> checks_, guarantees_, justices_;
   std::vector<std::uint32_t> open_guarantees_;
 };
 
 /// The outlooks from what was kept, made when first asked for. Many steps are kept as the same values.
 class Outlooks {
  public:
-  explicit Outlooks(const Rules& rules) : rules_(rules) {}
+  explicit Outlooks(const Rules& rules) : rules_(rules), foresight_(rules.layout) {}
   /// Before the first step.
   [[nodiscard]] const Outlook& first();
   /// Valid until the next is asked for. \param values  The kept values of that number.

@@ -3,6 +3,7 @@
 #include <heed/logic/nodes.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <optional>
 
@@ -13,53 +14,70 @@ using logic::Op;
 using Code = Program::Code;
 
 Layout::Layout(const spec::Gr1& spec) : symbols_(spec) {
-  std::uint32_t next = 0;
-  for (const auto& input : spec.inputs) slots_.emplace(input.name, next++);
-  outputs_begin_ = next;
-  for (const auto& output : spec.outputs) slots_.emplace(output.variable.name, next++);
-  memories_begin_ = next;
-  for (const auto& memory : spec.memories) slots_.emplace(memory.variable.name, next++);
-  definitions_begin_ = next;
-  for (const auto& definition : spec.definitions) slots_.emplace(definition.name, next++);
-  size_ = next;
+  for (const auto& input : spec.inputs) add(input);
+  outputs_begin_ = size_;
+  for (const auto& output : spec.outputs) add(output.variable);
+  memories_begin_ = size_;
+  for (const auto& memory : spec.memories) add(memory.variable);
+  definitions_begin_ = size_;
+  for (const auto& definition : spec.definitions) add({definition.name, model::Domain::boolean(), {}});
+}
+
+void Layout::add(const model::Variable& variable) {
+  slots_.emplace(variable.name, size_++);
+  bits_.push_back(variable.domain.low == 0 && variable.domain.high == 1);
 }
 
 namespace {
 
-/// Two's complement wrap-around: overflow has no meaning in a specification, and none here.
-std::int64_t arithmetic(Code code, std::int64_t left, std::int64_t right) {
-  const auto a = static_cast<std::uint64_t>(left), b = static_cast<std::uint64_t>(right);
-  if (code == Code::Add) return static_cast<std::int64_t>(a + b);
-  return static_cast<std::int64_t>(code == Code::Sub ? a - b : a * b);
+/// What \p in puts into its register.
+inline std::int64_t value_of(const Program::Instruction& in, Values values, const std::int64_t* registers) {
+  const auto a = [&] { return registers[in.a]; };
+  const auto b = [&] { return registers[in.b]; };
+  // Two's complement wrap-around: overflow has no meaning in a specification, and none here.
+  const auto word = [](std::int64_t value) { return static_cast<std::uint64_t>(value); };
+  switch (in.code) {
+    case Code::Constant:
+      return in.constant;
+    case Code::Load:
+      return values.step[in.a];
+    case Code::Kept:
+      return values.kept[in.a];
+    case Code::Not:
+      return a() == 0 ? 1 : 0;
+    case Code::And:
+      return (a() != 0 && b() != 0) ? 1 : 0;
+    case Code::Or:
+      return (a() != 0 || b() != 0) ? 1 : 0;
+    case Code::Implies:
+      return (a() == 0 || b() != 0) ? 1 : 0;
+    case Code::Iff:
+      return ((a() != 0) == (b() != 0)) ? 1 : 0;
+    case Code::Eq:
+      return a() == b() ? 1 : 0;
+    case Code::Ne:
+      return a() != b() ? 1 : 0;
+    case Code::Lt:
+      return a() < b() ? 1 : 0;
+    case Code::Le:
+      return a() <= b() ? 1 : 0;
+    case Code::Gt:
+      return a() > b() ? 1 : 0;
+    case Code::Ge:
+      return a() >= b() ? 1 : 0;
+    case Code::Add:
+      return static_cast<std::int64_t>(word(a()) + word(b()));
+    case Code::Sub:
+      return static_cast<std::int64_t>(word(a()) - word(b()));
+    case Code::Mul:
+      return static_cast<std::int64_t>(word(a()) * word(b()));
+  }
+  return 0;
 }
 
 std::int64_t apply(Code code, std::int64_t a, std::int64_t b) {
-  switch (code) {
-    case Code::Not:
-      return a == 0 ? 1 : 0;
-    case Code::And:
-      return (a != 0 && b != 0) ? 1 : 0;
-    case Code::Or:
-      return (a != 0 || b != 0) ? 1 : 0;
-    case Code::Implies:
-      return (a == 0 || b != 0) ? 1 : 0;
-    case Code::Iff:
-      return ((a != 0) == (b != 0)) ? 1 : 0;
-    case Code::Eq:
-      return a == b ? 1 : 0;
-    case Code::Ne:
-      return a != b ? 1 : 0;
-    case Code::Lt:
-      return a < b ? 1 : 0;
-    case Code::Le:
-      return a <= b ? 1 : 0;
-    case Code::Gt:
-      return a > b ? 1 : 0;
-    case Code::Ge:
-      return a >= b ? 1 : 0;
-    default:
-      return arithmetic(code, a, b);
-  }
+  const std::array<std::int64_t, 2> operands{a, b};
+  return value_of({code, 0, 1}, {nullptr}, operands.data());
 }
 
 Code code_of(Op op) {
@@ -109,31 +127,70 @@ std::uint32_t Program::emit(Instruction instruction) {
 
 std::int64_t Program::run(std::span<const Instruction> code, Values values,
                           std::vector<std::int64_t>& registers) {
-  std::int64_t* const out = registers.data();
-  std::size_t i = 0;
+  std::int64_t* next = registers.data();
+  for (const Instruction& in : code) *next++ = value_of(in, values, registers.data());
+  return next[-1];
+}
+
+std::optional<Program::Table> Program::Table::of(std::span<const Instruction> code, const Layout& layout,
+                                                 std::vector<std::uint64_t>& words) {
+  Table table;
+  words.clear();
   for (const Instruction& in : code) {
-    switch (in.code) {
-      case Code::Constant:
-        out[i] = in.constant;
-        break;
-      case Code::Load:
-        out[i] = values.step[in.a];
-        break;
-      case Code::Kept:
-        out[i] = values.kept[in.a];
-        break;
-      default:
-        out[i] = apply(in.code, out[in.a], out[in.b]);
-    }
-    ++i;
+    const std::optional<std::uint64_t> word = table.word(in, layout, words);
+    if (!word) return std::nullopt;
+    words.push_back(*word);
   }
-  return out[i - 1];
+  table.rows_ = words.back();
+  return table;
+}
+
+std::optional<std::uint64_t> Program::Table::word(const Instruction& in, const Layout& layout,
+                                                  const std::vector<std::uint64_t>& words) {
+  switch (in.code) {
+    case Code::Constant:
+      if (in.constant != 0 && in.constant != 1) return std::nullopt;
+      return in.constant == 0 ? 0 : ~std::uint64_t{0};
+    case Code::Load:
+      return layout.is_bit(in.a) ? load(in.a) : std::nullopt;
+    case Code::Not:
+      return ~words[in.a];
+    case Code::And:
+      return words[in.a] & words[in.b];
+    case Code::Or:
+      return words[in.a] | words[in.b];
+    case Code::Implies:
+      return ~words[in.a] | words[in.b];
+    case Code::Iff:
+    case Code::Eq:
+      return ~(words[in.a] ^ words[in.b]);
+    case Code::Ne:
+      return words[in.a] ^ words[in.b];
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Bit i of a row's number is the value of the i-th slot there.
+std::optional<std::uint64_t> Program::Table::load(std::uint32_t slot) {
+  constexpr std::array<std::uint64_t, most> rows{0xaaaaaaaaaaaaaaaa, 0xcccccccccccccccc, 0xf0f0f0f0f0f0f0f0,
+                                                 0xff00ff00ff00ff00, 0xffff0000ffff0000, 0xffffffff00000000};
+  std::uint32_t i = 0;
+  while (i < count_ && slots_[i] != slot) ++i;
+  if (i == most) return std::nullopt;
+  if (i == count_) slots_[count_++] = slot;
+  return rows[i];
+}
+
+void Program::tabulate(const Layout& layout) {
+  std::vector<std::uint64_t> words;
+  table_ = Table::of(code_, layout, words);
 }
 
 void Foresight::append(const Program& program, const std::int64_t* kept,
                        std::vector<Program::Instruction>& out) {
-  registers_.clear();
-  for (const Program::Instruction& in : program.code()) evaluate(in, kept);
+  registers_.resize(program.size());
+  for (std::uint32_t i = 0; i < registers_.size(); ++i) evaluate(i, program.code()[i], kept);
   registers_[source(static_cast<std::uint32_t>(registers_.size() - 1))].needed = true;
   for (std::size_t i = registers_.size(); i-- > 0;) {
     const Register& at = registers_[i];
@@ -153,32 +210,32 @@ void Foresight::append(const Program& program, const std::int64_t* kept,
   }
 }
 
-void Foresight::evaluate(const Program::Instruction& in, const std::int64_t* kept) {
-  registers_.push_back({false, false, 0, static_cast<std::uint32_t>(registers_.size()), in});
-  if (in.code == Code::Constant) return be_known(in.constant);
-  if (in.code == Code::Kept) return be_known(kept[in.a]);
+void Foresight::evaluate(std::uint32_t i, const Program::Instruction& in, const std::int64_t* kept) {
+  Register& here = registers_[i];
+  here.known = here.needed = false;
+  here.same = i;
+  here.now = in;
+  if (in.code == Code::Constant) return here.be_known(in.constant);
+  if (in.code == Code::Kept) return here.be_known(kept[in.a]);
   if (in.code == Code::Load) return;
   const Register &a = registers_[in.a], &b = registers_[in.b];
-  if (a.known && b.known) return be_known(apply(in.code, a.value, b.value));
-  connect(in);
+  if (a.known && b.known) return here.be_known(apply(in.code, a.value, b.value));
+  here.now = {in.code, source(in.a), source(in.b)};
+  if (a.known || b.known) connect(here, a, b);
 }
 
-/// An operation with at least one operand that depends on the step.
-void Foresight::connect(const Program::Instruction& in) {
-  const Register &a = registers_[in.a], &b = registers_[in.b];
-  Register& here = registers_.back();
-  here.now = {in.code, source(in.a), source(in.b)};
-  if (!a.known && !b.known) return;
+/// An operation with one operand that depends on the step.
+void Foresight::connect(Register& here, const Register& a, const Register& b) {
   const bool truth = (a.known ? a.value : b.value) != 0;
   const std::uint32_t open = a.known ? here.now.b : here.now.a;
   const auto be_negated = [&] { here.now = {Code::Not, open, open}; };
-  switch (in.code) {
+  switch (here.now.code) {
     case Code::And:
-      return truth ? void(here.same = open) : be_known(0);
+      return truth ? void(here.same = open) : here.be_known(0);
     case Code::Or:
-      return truth ? be_known(1) : void(here.same = open);
+      return truth ? here.be_known(1) : void(here.same = open);
     case Code::Implies:
-      if (truth != a.known) return be_known(1);
+      if (truth != a.known) return here.be_known(1);
       return a.known ? void(here.same = open) : be_negated();
     case Code::Iff:
       return truth ? void(here.same = open) : be_negated();
@@ -217,6 +274,7 @@ class Compiler {
         nodes_[i].present_register = order_[i].op() == Op::Next ? operand(i, 0, true) : node(i, false);
     }
     finish();
+    program_.tabulate(layout_);
     return std::move(program_);
   }
 

@@ -4,8 +4,10 @@
 
 #include "unit/check/replay.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <functional>
 
 namespace heed::check {
@@ -376,6 +378,40 @@ TEST(Verify, a_moore_machine_may_not_look_at_the_input_of_its_step) {
       "[options]\ntiming = moore\n[input]\na : boolean\n[output]\ny : boolean\n[define]\nd := a & y\n";
   EXPECT_TRUE(check({{0, {0}, {1, 0}, 0}, {0, {1}, {1, 1}, 0}}, text, 1).verified);
   EXPECT_FALSE(check({{0, {0}, {0, 0}, 0}, {0, {1}, {1, 1}, 0}}, text, 1).verified);
+}
+
+/// `y` says now whether an odd number of inputs is true, and `z` one step later: of states 0 (start), 1 (it
+/// was even) and 2 (odd).
+Rows parity_rows(std::uint32_t inputs) {
+  Rows rows;
+  for (std::uint32_t state = 0; state < 3; ++state)
+    for (std::uint32_t bits = 0; bits < 1U << inputs; ++bits) {
+      model::Valuation input(inputs);
+      for (std::uint32_t i = 0; i < inputs; ++i) input[i] = static_cast<std::int32_t>(bits >> i & 1U);
+      const std::int32_t odd = std::popcount(bits) % 2, was_odd = state == 2 ? 1 : 0;
+      rows.push_back({state, input, {odd, was_odd}, odd == 1 ? 2U : 1U});
+    }
+  return rows;
+}
+
+TEST(Verify, rules_of_any_width_are_looked_up_or_run) {
+  for (std::uint32_t inputs = 1; inputs <= 8; ++inputs) {
+    std::string text = "[input]\n", odd = "false";
+    for (std::uint32_t i = 0; i < inputs; ++i) {
+      text += fmt::format("a{} : boolean\n", i);
+      odd = fmt::format("!({} <-> a{})", odd, i);
+    }
+    const std::string both = fmt::format("[sys safety]\ny <-> {0}\n{0} <-> z'\n", odd);
+    SCOPED_TRACE(text += "[output]\ny : boolean\nz : boolean\n[sys init]\n!z\n" + both);
+    Rows rows = parity_rows(inputs);
+    EXPECT_TRUE(check(rows, text, 3).verified);
+    for (Row& row : rows)
+      for (std::int32_t& value : row.output) {
+        value = 1 - value;
+        EXPECT_FALSE(check(rows, text, 3).verified);
+        value = 1 - value;
+      }
+  }
 }
 
 }  // namespace
