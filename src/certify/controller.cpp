@@ -15,8 +15,8 @@ using Functions = std::vector<Bdd>;
 
 /// The controller's functions over the board's variables.
 struct Tables {
-  Bdd answered, legal, winning;
-  Functions start_memories, start_outputs, updates, derived;
+  Bdd answered, winning;
+  Functions legal, start_memories, start_outputs, updates, derived;
   struct Goal {
     Functions answers;
     Bdd met;
@@ -26,10 +26,11 @@ struct Tables {
 };
 
 Tables import(const model::SymbolicController& controller, const Board& board) {
-  std::vector<model::Function> wanted{controller.start.answered, controller.legal, controller.winning};
+  std::vector<model::Function> wanted{controller.start.answered, controller.winning};
   const auto append = [&](const std::vector<model::Function>& list) {
     wanted.insert(wanted.end(), list.begin(), list.end());
   };
+  append(controller.legal);
   append(controller.start.memories);
   append(controller.start.outputs);
   append(controller.updates);
@@ -48,8 +49,8 @@ Tables import(const model::SymbolicController& controller, const Board& board) {
   };
   Tables tables;
   tables.answered = *next++;
-  tables.legal = *next++;
   tables.winning = *next++;
+  tables.legal = take(controller.legal.size());
   tables.start_memories = take(controller.start.memories.size());
   tables.start_outputs = take(controller.start.outputs.size());
   tables.updates = take(controller.updates.size());
@@ -170,11 +171,27 @@ class ControllerCheck {
     return from & board_.forced(left);
   }
 
+  /// Steps that the controller refuses and that no assumption excludes by itself which speaks of the same.
+  /// Where \p legal is a conjunction of assumptions there are none, and the others need not be met.
+  [[nodiscard]] Bdd unanswered(const Bdd& legal) const {
+    const std::vector<bdd::Var> about = legal.support_variables();
+    Bdd left = !legal;
+    for (const Bdd& assumption : board_.env_steps) {
+      const std::vector<bdd::Var> reads = assumption.support_variables();
+      if (std::includes(about.begin(), about.end(), reads.begin(), reads.end())) left &= assumption;
+    }
+    return left;
+  }
+
   void columns() {
     if (!findings_.require(!depends(tables_.updates, {Owner::Output, Owner::Memory}, true),
                            "a memory's next value depends on what is chosen after it, or on itself"))
       return;
-    findings_.none(winning_ & board_.legal(!tables_.legal), "a legal observation is not answered");
+    for (const Bdd& part : tables_.legal) {
+      const Bdd left = unanswered(part);
+      if (!left.is_false())
+        findings_.none(winning_ & board_.legal(left), "a legal observation is not answered");
+    }
     for (std::size_t i = 0; i < tables_.updates.size(); ++i)
       findings_.none(winning_ & board_.legal(tables_.updates[i] ^ board_.updates[i]),
                      "a memory is not what the specification says");

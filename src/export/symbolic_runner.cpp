@@ -1,5 +1,7 @@
 #include <heed/export/symbolic_runner.h>
 
+#include <algorithm>
+
 namespace heed::exporter {
 namespace {
 
@@ -57,8 +59,10 @@ void SymbolicRunner::choose_updates(std::vector<bool>& bits) const {
 
 bool SymbolicRunner::accepted(const std::vector<bool>& bits) const {
   const auto& controller = *controller_;
-  return bits.size() == 2 * state_.bits.size() &&
-         evaluate(controller.diagrams, state_.started ? controller.legal : controller.start.answered, bits);
+  const auto holds = [&](model::Function function) { return evaluate(controller.diagrams, function, bits); };
+  if (bits.size() != 2 * state_.bits.size()) return false;
+  return state_.started ? std::all_of(controller.legal.begin(), controller.legal.end(), holds)
+                        : holds(controller.start.answered);
 }
 
 bool SymbolicRunner::answers(const model::Valuation& observation) const {

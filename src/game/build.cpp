@@ -205,7 +205,7 @@ class Builder {
         add_env_step(state ? holds.next() : holds);
       }
     }
-    if (options_.whole_environment) game_.env_safety = manager_->conjunction(game_.env_steps);
+    if (options_.whole_environment) game_.env_safety = game_.env_steps;
   }
 
   void add_env_step(const Bdd& holds) {

@@ -158,8 +158,8 @@ class Play {
     if (n == region_.iterates.size()) return false;
     const Bdd& region = n == 0 ? game_.valid : region_.iterates[n - 1].region;
     const Bdd here = state();
-    const Bdd legal = put_in(game_.env_safety, here).cofactor(here);
-    Bdd moves = game_.manager->constant(true);
+    Bdd legal = game_.manager->constant(true), moves = legal;
+    for (const Bdd& part : game_.env_safety) legal &= put_in(part, here).cofactor(here);
     for (const Part& part : game_.sys_safety) moves &= put_in(part.relation, here).cofactor(here);
     const Bdd stay = moves & put_in(region.next(), here).cofactor(here);
     const Bdd losing = losing_moves(legal, stay, moves);

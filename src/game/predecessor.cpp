@@ -37,8 +37,9 @@ Predecessor::Predecessor(const Game& game, const Techniques& techniques)
   }
   outputs_ = schedule(std::move(with_outputs), moore_ ? game.manager->constant(true) : game.next_outputs,
                       techniques);
-  std::vector<Bdd> moves =
-      techniques.partition_environment ? game.env_steps : std::vector<Bdd>{game.env_safety};
+  std::vector<Bdd> moves = techniques.partition_environment
+                               ? game.env_steps
+                               : std::vector<Bdd>{game.manager->conjunction(game.env_safety)};
   const std::vector<bdd::Var> next_memories = game.bits(Owner::Memory, true);
   for (std::size_t i = 0; i < next_memories.size(); ++i)
     moves.push_back(game.manager->variable(next_memories[i]).iff(game.updates[i]));

@@ -121,7 +121,7 @@ class Simplifier {
     for (Bdd& update : game_.updates) all.push_back(&update);
     for (auto* justices : {&game_.env_justice, &game_.sys_justice})
       for (Justice& justice : *justices) all.push_back(&justice.relation);
-    if (game_.env_safety.valid()) all.push_back(&game_.env_safety);
+    for (Bdd& part : game_.env_safety) all.push_back(&part);
     return all;
   }
 

@@ -94,7 +94,7 @@ class Reader {
     document_.expect_keys(start, "'start'", {"answered", "memories", "outputs"});
     result.start = {function(start["answered"], "start"), functions(start, "memories", memories),
                     functions(start, "outputs", outputs)};
-    result.legal = function(root["legal"], "legal");
+    for (const Json& item : document_.list(root, "legal")) result.legal.push_back(function(item, "legal"));
     result.updates = functions(root, "updates", memories);
     result.derived = functions(root, "derived", result.definitions.size());
     result.winning = function(root["winning"], "winning");
@@ -174,9 +174,9 @@ std::string write_symbolic(const SymbolicController& controller) {
   out += fmt::format("\"start\": {{\"answered\": {}, \"memories\": {}, \"outputs\": {}}},\n",
                      controller.start.answered, functions_text(controller.start.memories),
                      functions_text(controller.start.outputs));
-  out +=
-      fmt::format("\"legal\": {},\n\"updates\": {},\n\"derived\": {},\n\"winning\": {},\n", controller.legal,
-                  functions_text(controller.updates), functions_text(controller.derived), controller.winning);
+  out += fmt::format("\"legal\": {},\n\"updates\": {},\n\"derived\": {},\n\"winning\": {},\n",
+                     functions_text(controller.legal), functions_text(controller.updates),
+                     functions_text(controller.derived), controller.winning);
   out += "\"goals\": [";
   for (std::size_t i = 0; i < controller.goals.size(); ++i)
     out += (i == 0 ? "" : ",") + goal_text(controller.goals[i]);

@@ -140,7 +140,9 @@ class SymbolicReactions : public ReactionSource {
 
   /// legal, updates, definitions; then for each goal its answers and when it is met.
   void list_functions() {
-    all_.push_back(function(machine_.legal));
+    Bdd legal = manager_.constant(true);
+    for (const Function f : machine_.legal) legal &= function(f);
+    all_.push_back(legal);
     for (const Function f : machine_.updates) all_.push_back(function(f));
     for (const Function f : machine_.derived) all_.push_back(function(f));
     for (const auto& goal : machine_.goals) {

@@ -5,6 +5,13 @@ namespace {
 
 using bdd::Bdd;
 
+Bdd put_in_memories(const game::Game& game, const Bdd& relation) {
+  const auto next = game.bits(game::Owner::Memory, true);
+  std::vector<std::pair<bdd::Var, Bdd>> substitution;
+  for (std::size_t i = 0; i < next.size(); ++i) substitution.emplace_back(next[i], game.updates[i]);
+  return substitution.empty() ? relation : relation.compose(substitution);
+}
+
 /// Puts together the rule of one goal j. With k the least rank whose set holds the state, the steps are, in
 /// this order of preference,
 ///
@@ -16,15 +23,16 @@ using bdd::Bdd;
 /// no single answer always meets or approaches.
 class RuleMaker {
  public:
-  /// \param safe  rho_s.
+  /// \param safe  rho_s. \param legal  The legal next inputs.
   RuleMaker(const game::Game& game, const game::Region& region, util::Budget& budget, std::size_t goal,
-            Bdd safe)
+            Bdd safe, const std::vector<Bdd>& legal)
       : game_(game),
         region_(region),
         budget_(budget),
         goal_(goal),
         never_(game.manager->constant(false)),
-        safe_(std::move(safe)) {
+        safe_(std::move(safe)),
+        legal_(legal) {
     meet_ = (safe_ & game.sys_justice[goal].relation).and_next(region.winning);
   }
 
@@ -69,14 +77,9 @@ class RuleMaker {
 
   /// Answers Y' that end in \p steps whatever the next legal input.
   [[nodiscard]] Bdd always(const Bdd& steps) const {
-    return put_in_memories(game_.env_safety.implies(steps)).forall(game_.next_inputs);
-  }
-
-  [[nodiscard]] Bdd put_in_memories(const Bdd& relation) const {
-    const auto next = game_.bits(game::Owner::Memory, true);
-    std::vector<std::pair<bdd::Var, Bdd>> substitution;
-    for (std::size_t i = 0; i < next.size(); ++i) substitution.emplace_back(next[i], game_.updates[i]);
-    return substitution.empty() ? relation : relation.compose(substitution);
+    Bdd failing = put_in_memories(game_, !steps);
+    for (const Bdd& part : legal_) failing &= part;
+    return !failing.exists(game_.next_inputs);
   }
 
   /// Of winning states: the same as \p states, without what was seen where that is no news. Where the state
@@ -114,6 +117,7 @@ class RuleMaker {
   std::size_t goal_;
   Bdd never_;
   Bdd safe_;  ///< Where it starts is not said: together with where it ends that makes large diagrams.
+  const std::vector<Bdd>& legal_;
   Bdd meet_;
 };
 
@@ -123,18 +127,32 @@ std::vector<Rule> make_rules(const game::Game& game, const game::Region& region,
   std::vector<Rule> rules;
   Bdd safe = game.manager->constant(true);
   for (const game::Part& part : game.sys_safety) safe &= part.relation;
+  const std::vector<Bdd> legal =
+      game.spec->timing == spec::Timing::Moore ? legal_inputs(game) : std::vector<Bdd>{};
   for (std::size_t goal = 0; goal < game.sys_justice.size(); ++goal) {
-    RuleMaker maker(game, region, budget, goal, safe);
+    RuleMaker maker(game, region, budget, goal, safe, legal);
     rules.push_back(game.spec->timing == spec::Timing::Moore ? maker.moore() : maker.mealy());
   }
   return rules;
 }
 
-Bdd legal_inputs(const game::Game& game) {
-  const auto next = game.bits(game::Owner::Memory, true);
-  std::vector<std::pair<bdd::Var, Bdd>> substitution;
-  for (std::size_t i = 0; i < next.size(); ++i) substitution.emplace_back(next[i], game.updates[i]);
-  return substitution.empty() ? game.env_safety : game.env_safety.compose(substitution);
+void gather_assumptions(game::Game& game, std::size_t most_nodes) {
+  std::vector<Bdd> gathered;
+  for (const Bdd& part : game.env_safety) {
+    if (part.is_true()) continue;
+    const Bdd joined = gathered.empty() ? part : gathered.back() & part;
+    if (!gathered.empty() && joined.node_count() <= most_nodes)
+      gathered.back() = joined;
+    else
+      gathered.push_back(part);
+  }
+  game.env_safety = std::move(gathered);
+}
+
+std::vector<Bdd> legal_inputs(const game::Game& game) {
+  std::vector<Bdd> parts;
+  for (const Bdd& part : game.env_safety) parts.push_back(put_in_memories(game, part));
+  return parts;
 }
 
 }  // namespace heed::strategy

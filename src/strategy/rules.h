@@ -22,7 +22,11 @@ struct Rule {
 [[nodiscard]] std::vector<Rule> make_rules(const game::Game& game, const game::Region& region,
                                            util::Budget& budget);
 
-/// rho_e with the memories' next values put in: the legal next inputs. Over X, Y, M, X'.
-[[nodiscard]] bdd::Bdd legal_inputs(const game::Game& game);
+/// Makes of Game::env_safety few conjuncts, each of at most \p most_nodes nodes or one that was there; none
+/// where all steps are legal.
+void gather_assumptions(game::Game& game, std::size_t most_nodes);
+
+/// Game::env_safety with the memories' next values put in: the legal next inputs. Over X, Y, M, X'.
+[[nodiscard]] std::vector<bdd::Bdd> legal_inputs(const game::Game& game);
 
 }  // namespace heed::strategy

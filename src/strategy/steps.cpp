@@ -12,8 +12,6 @@ using bdd::Bdd;
 using bdd::Var;
 using game::Owner;
 
-constexpr std::array<std::uint32_t, 1> legal_place{0};  ///< In a vector of the futures.
-
 std::vector<Var> ordered_inputs(const game::Game& game, bool next) {
   const std::vector<Var> bits = game.bits(Owner::Input, next);
   std::vector<Var> order;
@@ -44,7 +42,8 @@ Steps::Steps(const game::Game& game, const game::Region& region, util::Budget& b
     : game_(game),
       goals_(game.sys_justice.size()),
       updates_(game.updates.size()),
-      columns_at_(1 + updates_ + 3 * goals_),
+      legal_parts_(legal_inputs(game)),
+      columns_at_(legal_parts_.size() + updates_ + 3 * goals_),
       legal_(*game.manager, ordered_inputs(game, true), 1),
       rules_(*game.manager, ordered_inputs(game, true), Updates + updates_),
       futures_(*game.manager, ordered_inputs(game, false), columns_at_ + game.definitions.size() + goals_),
@@ -54,7 +53,7 @@ Steps::Steps(const game::Game& game, const game::Region& region, util::Budget& b
       columns_(game.definitions.size() + goals_),
       assignment_(game.manager->variable_count()) {
   const Bdd never = game.manager->constant(false);
-  std::vector<Bdd> roots{legal_inputs(game)}, columns = game.definitions;
+  std::vector<Bdd> roots = legal_parts_, columns = game.definitions;
   roots.insert(roots.end(), game.updates.begin(), game.updates.end());
   const std::vector<Rule> rules = make_rules(game, region, budget);
   for (std::size_t goal = 0; goal < goals_; ++goal) {
@@ -63,9 +62,11 @@ Steps::Steps(const game::Game& game, const game::Region& region, util::Budget& b
                  {rules[goal].moves, rules[goal].waits, justice.step ? justice.relation : never});
     columns.push_back(justice.step ? never : justice.relation);
     places_of_.emplace_back();
+    const std::size_t updates_at = legal_parts_.size(), goals_at = updates_at + updates_;
     for (const std::size_t i : {Moves, Waits, Met})
-      places_of_.back().push_back(static_cast<std::uint32_t>(1 + updates_ + 3 * goal + i));
-    for (std::uint32_t i = 1; i <= updates_; ++i) places_of_.back().push_back(i);
+      places_of_.back().push_back(static_cast<std::uint32_t>(goals_at + 3 * goal + i));
+    for (std::size_t i = 0; i < updates_; ++i)
+      places_of_.back().push_back(static_cast<std::uint32_t>(updates_at + i));
   }
   roots.insert(roots.end(), columns.begin(), columns.end());
   root_ = futures_.root(roots);
@@ -107,10 +108,19 @@ Future Steps::leads_to(const End& end) {
   if (rule == CofactorTable::none) {
     const auto step = steps_[end.step];
     const Bdd& cube = cube_of(step[1]);
-    if (legal == CofactorTable::none) legal = legal_.root(futures_, step[0], legal_place, cube);
+    if (legal == CofactorTable::none) legal = legal_after(step[0], cube);
     rule = rules_.root(futures_, step[0], places_of_[end.goal], cube);
   }
   return {legal, rule};
+}
+
+CofactorTable::Id Steps::legal_after(CofactorTable::Id future, const Bdd& cube) {
+  constexpr std::array<std::uint32_t, 1> only{0};
+  if (legal_parts_.size() == 1) return legal_.root(futures_, future, only, cube);
+  std::array<Bdd, 1> legal{game_.manager->constant(true)};
+  for (std::size_t i = 0; i < legal_parts_.size(); ++i)
+    legal[0] &= futures_.function(future, i).cofactor(cube);
+  return legal_.root(legal);
 }
 
 /// As a conjunction of literals, put together from the bottom up. Answers that are met one after the other

@@ -59,15 +59,17 @@ class Steps {
  private:
   [[nodiscard]] std::uint32_t evaluate_columns(CofactorTable::Id future, std::uint32_t bits);
   [[nodiscard]] std::uint32_t next_goal(std::size_t goal, const std::vector<bool>& shown) const;
+  [[nodiscard]] CofactorTable::Id legal_after(CofactorTable::Id future, const bdd::Bdd& cube);
   [[nodiscard]] const bdd::Bdd& cube_of(std::uint32_t bits);
 
   const game::Game& game_;
   std::size_t goals_;
   std::size_t updates_;
-  std::size_t columns_at_;  ///< In the vectors of futures_.
+  std::vector<bdd::Bdd> legal_parts_;  ///< Of the legal inputs; first in the vectors of futures_.
+  std::size_t columns_at_;             ///< There.
   CofactorTable legal_, rules_, futures_;
   CofactorTable::Id root_ = 0;
-  /// By goal: where in a vector of futures_ the functions by Slot stand. The legal inputs stand at 0.
+  /// By goal: where in a vector of futures_ the functions by Slot stand.
   std::vector<std::vector<std::uint32_t>> places_of_;
   std::vector<bdd::Var> answer_bits_;      ///< Current: outputs, then memories.
   std::vector<std::size_t> answer_order_;  ///< Places in answer_bits_, from the bottom up.

@@ -2,6 +2,7 @@
 
 #include "claims.h"
 #include "extract.h"
+#include "rules.h"
 #include "symbolic.h"
 
 #include <heed/game/explain.h>
@@ -80,7 +81,8 @@ Result synthesize(const spec::Gr1& spec, util::Budget& budget, const Options& op
   // Only strategies and certificates speak of all the environment's moves at once.
   const game::Techniques& techniques = options.techniques;
   const bool whole = options.claim || !options.only_realizability || !techniques.partition_environment;
-  const game::Game game = game::build_game(spec, budget, {whole, techniques});
+  game::Game game = game::build_game(spec, budget, {whole, techniques});
+  gather_assumptions(game, options.legal_nodes);
   const game::Region region = game::solve(game, budget, solve_options(options));
   result.realizable = region.realizable;
   Statistics& statistics = result.statistics;

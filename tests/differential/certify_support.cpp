@@ -75,10 +75,11 @@ std::optional<model::Mealy> listed(const model::SymbolicController& controller, 
 model::SymbolicController mutated(const model::SymbolicController& controller, std::uint64_t seed) {
   model::SymbolicController result = controller;
   util::CounterRandom random(seed, 11);
-  std::vector<model::Function*> places{&result.start.answered, &result.legal};
+  std::vector<model::Function*> places{&result.start.answered};
   const auto append = [&](std::vector<model::Function>& list) {
     for (model::Function& function : list) places.push_back(&function);
   };
+  append(result.legal);
   append(result.start.memories);
   append(result.start.outputs);
   append(result.updates);

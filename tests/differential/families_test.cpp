@@ -72,7 +72,7 @@ class Parts {
     }
     env_initial = moved(game.env_initial);
     initial = moved(game.initial_answer());
-    env_steps = moved(game.env_safety);
+    env_steps = moved(game.manager->conjunction(game.env_safety));
     steps = env_steps;
     for (const game::Part& part : game.sys_safety) steps &= moved(part.relation);
     for (const game::Justice& justice : game.env_justice) env_goals.push_back(moved(justice.relation));

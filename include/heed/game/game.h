@@ -59,8 +59,10 @@ struct Game {
   bdd::Bdd valid;                                     ///< Current codes are codes of the domains.
 
   bdd::Bdd env_initial;  ///< X, M: theta_e and what the environment always keeps.
-  bdd::Bdd env_safety;   ///< X, Y, M, X', M': rho_e; invalid where BuildOptions did not ask for it.
-  std::vector<bdd::Bdd> env_steps;   ///< The conjuncts of rho_e.
+  /// X, Y, M, X', M': the conjuncts of rho_e, where BuildOptions asked for them. As one diagram they can be
+  /// larger than all else in the game.
+  std::vector<bdd::Bdd> env_safety;
+  std::vector<bdd::Bdd> env_steps;   ///< The same for solving: without what nobody reads.
   bdd::Bdd memory_initial;           ///< M: the values that memories may start with.
   std::vector<Part> sys_initial;     ///< X, Y, M: theta_s, by clause of sys_init.
   std::vector<Part> initial_safety;  ///< X, Y, M: clauses of sys_safety without Next, at the first step.
@@ -83,7 +85,7 @@ struct Selection {
 };
 
 struct BuildOptions {
-  /// Whether Game::env_safety is made. Solving does without it where the environment is partitioned.
+  /// Whether Game::env_safety is kept. Solving does without it where the environment is partitioned.
   bool whole_environment = true;
   Techniques techniques{};
 };

@@ -75,7 +75,7 @@ struct SymbolicController {
   std::vector<std::string> assumptions, notes;
   Diagrams diagrams;
   Start start;
-  Function legal = function_true;    ///< Next observations that it answers.
+  std::vector<Function> legal;       ///< It answers the next observations of which each of them holds.
   std::vector<Function> updates;     ///< Next bits of the memories; may use the next inputs.
   std::vector<Function> derived;     ///< Definitions, over current bits.
   Function winning = function_true;  ///< States that it may be in, over current bits.

@@ -37,6 +37,7 @@ struct Options {
   std::uint64_t max_states = 10'000'000;  ///< Before minimisation. More: util::LimitExceeded (Size).
   std::uint64_t max_rows = 0;             ///< The same for rows; 0: no bound.
   std::uint64_t max_steps = 0;            ///< The same for bdd::Statistics::steps of the listing.
+  std::size_t legal_nodes = 2000;         ///< Up to so many, what is legal is one diagram, else several.
   game::Techniques techniques{};          ///< How the game is solved; the result is the same.
 };
 

@@ -56,7 +56,7 @@ TEST(CertifyController, EachThingThatItDoesIsLookedAt) {
                "the first answer breaks what holds at the start, everywhere");
   EXPECT_PRED2(starts, fault(echo("\"answered\": 0", "\"answered\": 2"), echo_spec),
                "a legal first observation is not answered, such as red = false");
-  EXPECT_PRED2(starts, fault(echo("\"legal\": 0", "\"legal\": 4"), echo_spec),
+  EXPECT_PRED2(starts, fault(echo("\"legal\": []", "\"legal\": [4]"), echo_spec),
                "a legal observation is not answered");
   EXPECT_PRED2(starts, fault(echo("\"winning\": 0", "\"winning\": 2"), echo_spec),
                "the first answer leaves the states that are won");

@@ -161,7 +161,7 @@ class SymbolicTwin {
       out_.updates.push_back(function(true, m));
     }
     out_.start.answered = function(false, answered);
-    out_.legal = function(true, answered);
+    out_.legal = {function(true, answered)};
     out_.goals = {{{}, model::function_true, {{model::function_true, std::nullopt}}}};
     return std::move(out_);
   }

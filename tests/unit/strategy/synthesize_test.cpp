@@ -163,6 +163,18 @@ TEST(Synthesize, AutoGivesUpListingAfterManySteps) {
   EXPECT_TRUE(result(arbiter(6), automatic).machine);
 }
 
+TEST(Synthesize, AssumptionsThatGrowTogetherStayApart) {
+  Options symbolic;
+  symbolic.form = Form::Symbolic;
+  EXPECT_EQ(result(arbiter(4), symbolic).symbolic->legal.size(), 1U);
+  symbolic.legal_nodes = 0;
+  EXPECT_EQ(result(arbiter(4), symbolic).symbolic->legal.size(), 4U);
+  Options apart;
+  apart.legal_nodes = 0;
+  EXPECT_EQ(*result(arbiter(4), apart).machine, *result(arbiter(4)).machine);
+  EXPECT_EQ(result("[input]\na : boolean\n[output]\ny : boolean\n", symbolic).symbolic->legal.size(), 0U);
+}
+
 TEST(Synthesize, SameInputSameMachine) {
   EXPECT_EQ(model::write_mealy(*result(arbiter(4)).machine), model::write_mealy(*result(arbiter(4)).machine));
 }
