@@ -78,9 +78,9 @@ void add_strategy(const game::Game& game, const game::Region& region, util::Budg
 Result synthesize(const spec::Gr1& spec, util::Budget& budget, const Options& options) {
   Stopwatch watch;
   Result result;
-  // Only strategies and certificates speak of all the environment's moves at once.
+  // Only strategies and counter-strategies speak of inputs that nobody reads.
   const game::Techniques& techniques = options.techniques;
-  const bool whole = options.claim || !options.only_realizability || !techniques.partition_environment;
+  const bool whole = !options.only_realizability || !techniques.partition_environment;
   game::Game game = game::build_game(spec, budget, {whole, techniques});
   gather_assumptions(game, options.legal_nodes);
   const game::Region region = game::solve(game, budget, solve_options(options));

@@ -48,6 +48,12 @@ TEST(CertifyDifferential, EveryVerdictIsCertified) {
     EXPECT_EQ(result.claim->realizable, result.realizable);
     const certify::Verdict claim = certify::certify(*result.claim, spec, budget);
     EXPECT_TRUE(claim.certified) << "seed " << seed << ": " << claim.fault << "\n" << spec::write_gr1(spec);
+    strategy::Options asked;
+    asked.only_realizability = asked.claim = true;
+    const certify::Verdict verdict =
+        certify::certify(*strategy::synthesize(spec, budget, asked).claim, spec, budget);
+    EXPECT_TRUE(verdict.certified) << "seed " << seed << ": " << verdict.fault << "\n"
+                                   << spec::write_gr1(spec);
     ++(result.realizable ? realizable : unrealizable);
     rounds += result.claim->rounds.size() > 1 ? 1 : 0;
     if (!result.realizable) continue;
