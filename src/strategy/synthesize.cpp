@@ -82,7 +82,6 @@ Result synthesize(const spec::Gr1& spec, util::Budget& budget, const Options& op
   const game::Techniques& techniques = options.techniques;
   const bool whole = !options.only_realizability || !techniques.partition_environment;
   game::Game game = game::build_game(spec, budget, {whole, techniques});
-  gather_assumptions(game, options.legal_nodes);
   const game::Region region = game::solve(game, budget, solve_options(options));
   result.realizable = region.realizable;
   Statistics& statistics = result.statistics;
@@ -90,6 +89,7 @@ Result synthesize(const spec::Gr1& spec, util::Budget& budget, const Options& op
   statistics.outer_iterations = region.outer_iterations;
   statistics.state_bits = game.manager->variable_count() / 2;
   if (options.claim) result.claim = make_claim(game, region, budget);
+  if (!options.only_realizability) gather_assumptions(game, options.legal_nodes);
   if (!options.only_realizability && region.realizable)
     add_strategy(game, region, budget, options, result);
   else if (!options.only_realizability)
