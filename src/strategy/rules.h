@@ -12,7 +12,8 @@ namespace heed::strategy {
 struct Rule {
   /// Mealy: the allowed steps (X, Y, M, X', Y', M'). Moore: the allowed answers (X, Y, M, Y').
   bdd::Bdd moves;
-  /// Steps that only wait for an assumption to fail.
+  /// Steps that only wait for an assumption to fail. Mealy: over (X, Y, M, X', M'), since all answers that
+  /// moves leaves there wait, or none does.
   bdd::Bdd waits;
 };
 
